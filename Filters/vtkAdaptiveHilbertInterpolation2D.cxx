@@ -199,7 +199,7 @@ void vtkAdaptiveHilbertInterpolation2D::ReadSettings(
   wishes.UseBounds = this->UseBounds;
   std::copy(this->Bounds, this->Bounds + 4, wishes.Bounds.begin());
   wishes.AsSurface = this->OutputType == SURFACE;
-  wishes.NearestOutside = this->Outside == NEAREST_VERTEX;
+  wishes.Outside = static_cast<ahd::OutsideValues>(this->Outside);
   wishes.NoValue = this->NoValue;
   wishes.Gradients = this->GenerateGradients;
   wishes.Heights = this->HeightArrayName;

@@ -34,7 +34,8 @@
  * optional: constraints, as the source of vtkAdaptiveHilbertDelaunay2D.
  *
  * <b>Caveats.</b> Outside of the surface (beyond the hull, in holes, in triangles removed by the
- * settings of Triangulation) there is no value: nothing is extrapolated unless Outside says so.
+ * settings of Triangulation) there is no value: nothing is extrapolated unless Outside says so. A
+ * place outside by no more than rounding has that of the nearest place of the surface.
  * If a point's value is NaN, its triangles have none (LINEAR), or only the other neighbours count
  * (NATURAL_NEIGHBOR, LAPLACE). An invalid setting or too little memory is one error, with an empty
  * output, and nothing thrown; memory is estimated first. Aborted: the output empty, no error. Each

@@ -72,7 +72,9 @@ public:
     /// no value
     NO_VALUE = 0,
     /// that of the nearest vertex
-    NEAREST_VERTEX = 1
+    NEAREST_VERTEX = 1,
+    /// that at the nearest place of the surface
+    BOUNDARY = 2
   };
 
   ///@{
@@ -84,7 +86,9 @@ public:
   /// own type. Default: LINEAR.
   /// Constraint edges and the rim end the reach of Natural Neighbor and Laplace. Nearest has values
   /// on the whole plane; of several vertices at the same distance it takes the one with the
-  /// smallest x, then y. Collinear points: linear between neighbours on their line.
+  /// smallest x, then y. It does not look across holes and outlines: the straight line to the
+  /// vertex does not leave the surface through a constraint edge that bounds it. Collinear points:
+  /// linear between neighbours on their line.
   vtkSetClampMacro(Method, int, LINEAR, NEAREST);
   vtkGetMacro(Method, int);
   void SetMethodToLinear() { this->SetMethod(LINEAR); }
@@ -162,13 +166,17 @@ public:
 
   ///@{
   /// The values at places outside the surface. No Value: NaN in floating-point arrays, 0 in others.
-  /// Nearest Vertex: the values of the nearest point of the triangulation. Either way
-  /// vtkValidPointMask is 0 there. Default: NO_VALUE.
-  /// NoValue replaces NaN. Counts of places outside do not depend on this.
-  vtkSetClampMacro(Outside, int, NO_VALUE, NEAREST_VERTEX);
+  /// Nearest Vertex: the values of the nearest point of the triangulation, as with Nearest.
+  /// Boundary: the values at the nearest place of the surface, without a jump along its border.
+  /// Always vtkValidPointMask is 0 there. Places outside by no more than rounding have values like
+  /// those inside. Default: NO_VALUE.
+  /// NoValue replaces NaN. Counts of places outside do not depend on this. Rounding: 16 units in
+  /// the last place of the largest coordinate of place and edge.
+  vtkSetClampMacro(Outside, int, NO_VALUE, BOUNDARY);
   vtkGetMacro(Outside, int);
   void SetOutsideToNoValue() { this->SetOutside(NO_VALUE); }
   void SetOutsideToNearestVertex() { this->SetOutside(NEAREST_VERTEX); }
+  void SetOutsideToBoundary() { this->SetOutside(BOUNDARY); }
   ///@}
 
   ///@{

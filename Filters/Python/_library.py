@@ -340,10 +340,10 @@ class Job:
         return kinds, ids, cells
 
     @contextlib.contextmanager
-    def _sampling(self, method: int, fills: bool, bytes_given: int) -> Iterator[None]:
+    def _sampling(self, method: int, outside: int, bytes_given: int) -> Iterator[None]:
         """The settings of one call."""
         other = int(self.get("other_memory"))
-        self.set(sample_method=method, sample_outside=int(fills), other_memory=min(other + bytes_given, 1 << 62))
+        self.set(sample_method=method, sample_outside=outside, other_memory=min(other + bytes_given, 1 << 62))
         try:
             yield
         finally:
@@ -355,14 +355,14 @@ class Job:
         values: Sequence[np.ndarray],
         *,
         method: int = SAMPLE_LINEAR,
-        fills: bool = False,
+        outside: int = 0,
         gradients: bool = False,
         make: Optional[Callable[[int], Tuple[List[np.ndarray], List[Any], np.ndarray]]] = None,
     ) -> Samples:
         """Values at places, (k, 2) in the plane, or on a raster: see ahd_sample. `values`: arrays with one row of
-        float64 for each output point, C-contiguous. `method`: SAMPLE_...; `fills`: places outside have the values of
-        the nearest vertex; `gradients`: with SAMPLE_LINEAR the slopes too. Memory is asked for when the library has
-        said that it is enough: of make(places), which returns Samples to be filled."""
+        float64 for each output point, C-contiguous. `method`: SAMPLE_...; `outside`: OUTSIDE_...; `gradients`: with
+        SAMPLE_LINEAR the slopes too. Memory is asked for when the library has said that it is enough: of
+        make(places), which returns Samples to be filled."""
         at, count, owners = _places_of(places)
         values = tuple(values)
         for array in values:
@@ -370,7 +370,7 @@ class Job:
                 raise BadInput("values: one row of float64 for each of %d points" % self.count("points"), BAD_ARRAY)
         columns = [1 if array.ndim == 1 else array.shape[1] for array in values]
         numbers = sum(columns)
-        with self._sampling(method, fills, count * (8 * numbers * (3 if gradients else 1) + 1)):
+        with self._sampling(method, outside, count * (8 * numbers * (3 if gradients else 1) + 1)):
             self._check(C.ahd_sample_estimate(self._handle, at, numbers, ctypes.c_uint64()))
             if make is not None:
                 out, slopes, mask = make(count)

@@ -24,7 +24,7 @@ from ._warnings import DelaunayWarning, _depth
 
 #: The words of an argument, in the order of the filter's numbers.
 WORDS = {**{name: row.words for name, row in MESH_KEYWORDS.items() if row.words},
-         "plane": PLANES, "method": METHODS, "outside": ("none", "nearest")}
+         "plane": PLANES, "method": METHODS, "outside": ("none", "nearest", "boundary")}
 
 
 def _number_of(value, argument):

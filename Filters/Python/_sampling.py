@@ -13,6 +13,7 @@ from ._raster import Raster, raster_over, real_numbers, unmasked
 
 #: In the order of the header's numbers.
 METHODS = ("linear", "natural", "laplace", "nearest")
+_OUTSIDE = {"nearest": library.OUTSIDE_NEAREST_VERTEX, "boundary": library.OUTSIDE_BOUNDARY}
 
 ProgressFunction = Callable[[str, float], Any]
 
@@ -147,8 +148,9 @@ class Sampled(Made):
         """Values between the points, at any places; or, without `at`, for all points, also for added ones.
 
         The triangle, edge or vertex of a place is determined exactly: a place on a vertex gets the value of that
-        vertex, one on an edge a value from its two ends alone, the same from either side. Outside the triangles
-        (outside the hull, in a hole, in removed triangles) there is no value.
+        vertex, one on an edge a value from its two ends alone, the same from either side. Outside the triangles (of the
+        hull, in a hole, in removed triangles) there is no value; but outside by no more than rounding, 16 units in the
+        last place of the largest coordinate, that of the nearest place of them (not for `locate`).
 
         Parameters
         ----------
@@ -164,11 +166,11 @@ class Sampled(Made):
         method : {'linear', 'natural', 'laplace', 'nearest'}, default 'linear'
             'linear': on each triangle the plane through its corners. 'natural': natural neighbours, after Sibson:
             smooth but at the points, by the area that the place would take of their Voronoi cells. 'laplace': the same
-            neighbours, by the borders of the cells; not as smooth. 'nearest': of the nearest vertex, everywhere; of
-            several the one of smallest (x, y). All but the last give back functions that are linear.
-        outside : number or 'nearest', default NaN
+            neighbours, by the borders of the cells; not as smooth. 'nearest': of the nearest vertex, not across a hole
+            or outline; of several the one of smallest (x, y). All but the last give back functions that are linear.
+        outside : number, 'nearest' or 'boundary', default NaN
             The value outside the triangles, and at places that are not finite. 'nearest': the value of the nearest
-            vertex. NaN that comes from `values` stays.
+            vertex. 'boundary': at the nearest place of the triangles. NaN that comes from `values` stays.
         gradient : bool, default False
             With 'linear': the slopes too.
         progress : function of (str, float), optional
@@ -264,18 +266,19 @@ class Sampled(Made):
         chosen = method_of(method)
         if gradient and chosen != library.SAMPLE_LINEAR:
             raise ValueError("there are gradients with the method 'linear' only")
-        if isinstance(outside, str) and outside != "nearest":
-            raise ValueError("outside must be a number or 'nearest', not %r" % (outside,))
+        fills = _OUTSIDE.get(outside) if isinstance(outside, str) else library.OUTSIDE_NO_VALUE
+        if fills is None:
+            raise ValueError("outside must be a number, 'nearest' or 'boundary', not %r" % (outside,))
         places, shape = places_of(at)
         given = _numbers_of(values, self._counts, "biufc")
         if not isinstance(outside, str):
-            check_outside("outside", outside, " or 'nearest'", given.dtype.kind)
+            check_outside("outside", outside, ", 'nearest' or 'boundary'", given.dtype.kind)
         ofZ = self._columns_of_z(given)
         rows = self._for_points(given, ofZ) if self._counts["added_points"] or len(ofZ) else given
         dtype = np.dtype(np.complex128 if given.dtype.kind == "c" else np.float64)
         flat = np.ascontiguousarray(rows, dtype).reshape(len(rows), _product(given.shape[1:]))
         with self._locked():
-            found = self._sampled(places, flat.view(np.float64), chosen, outside == "nearest", gradient, progress)
+            found = self._sampled(places, flat.view(np.float64), chosen, fills, gradient, progress)
         made = found.values[0].view(dtype)
         if not isinstance(outside, str) and not _is_nan(outside):
             made[found.mask == 0] = outside
@@ -286,7 +289,7 @@ class Sampled(Made):
         """The id of the point nearest to each place, (k, 2); NaN where there is none."""
         ids = self._made("ids", lambda: np.arange(self._counts["points"], dtype=np.float64)[:, None])
         with self._locked():
-            found = self._sampled(np.ascontiguousarray(places), ids, library.SAMPLE_NEAREST, False, False, None)
+            found = self._sampled(np.ascontiguousarray(places), ids, library.SAMPLE_NEAREST, 0, False, None)
         made: np.ndarray = found.values[0].reshape(-1)
         return made
 
@@ -329,7 +332,7 @@ class Sampled(Made):
         places: Union[Raster, np.ndarray],
         rows: np.ndarray,
         method: int,
-        fills: bool,
+        outside: int,
         gradient: bool,
         progress: Optional[ProgressFunction],
     ) -> library.Samples:
@@ -340,7 +343,7 @@ class Sampled(Made):
             tell = progress
             job.set_progress(lambda phase, fraction: tell(library.PHASES[phase], fraction) and None)
         try:
-            return job.sample(places, [rows], method=method, fills=fills, gradients=gradient)
+            return job.sample(places, [rows], method=method, outside=outside, gradients=gradient)
         finally:
             job.set_progress(None)
 

@@ -208,8 +208,9 @@ def to_raster(
     method : {"linear", "natural", "laplace", "nearest"}
         The method: linear in each triangle; natural neighbours (Sibson), smooth except at the points; the same
         neighbours with Laplace's weights; the value of the nearest point.
-    outside : {"none", "nearest"}
-        The values outside the surface: none, or those of the nearest point.
+    outside : {"none", "nearest", "boundary"}
+        The values outside the surface: none, those of the nearest point (not across a hole or outline), or those at the
+        nearest place of the surface. Places outside by no more than rounding have values anyway.
     no_value : float, default NaN
         The number where there is no value.
     gradients : bool, default False

@@ -13,12 +13,12 @@
 #include <algorithm>
 
 vtkAHDRankSamples::vtkAHDRankSamples(const vtkAHDSettings& settings, vtkAHDRanks& ranks,
-  const vtkAHDContext& context, bool asksForNearest, std::string& error)
+  const vtkAHDContext& context, ahd::BlockNeeds::Also also, std::string& error)
   : Settings(settings)
   , LocalSettings(settings)
   , Ranks(ranks)
   , Context(context)
-  , AsksForNearest(asksForNearest)
+  , Also(also)
   , Error(error)
 {
 }
@@ -89,14 +89,18 @@ void vtkAHDRankSamples::TakeAll(const vtkAHDDataSets& data)
 /// Each rank triangulates its own points, with those that all ranks need.
 void vtkAHDRankSamples::ShareOwn()
 {
+  using Needs = ahd::BlockNeeds;
   const std::size_t ids = this->Chains.idCount();
+  // Where a limit on size ends the surface beside a constraint, that hides vertices, too.
+  const bool hides = this->Also == Needs::Also::Nearest && ids > 0 && this->Settings.limitsSize();
+  const Needs::Also also = hides ? Needs::Also::All : this->Also;
   this->CheckMemory(this->Points->EstimateBytes() +
-    ahd::needsMemoryEstimate(this->Points->GetCount() + ids, ids, this->AsksForNearest));
+    ahd::needsMemoryEstimate(this->Points->GetCount() + ids, ids, also == Needs::Also::Nearest));
   this->Ranks.Together(this->Context,
     [&]
     {
       this->Needs.reset(new ahd::BlockNeeds(
-        this->Points->GetBlock(this->Chains), this->AsksForNearest, this->Ranks, this->Context));
+        this->Points->GetBlock(this->Chains), also, this->Ranks, this->Context));
     });
   this->Context.Check(this->Needs->begin());
 }

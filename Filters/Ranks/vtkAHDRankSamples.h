@@ -28,10 +28,10 @@
 class vtkAHDRankSamples
 {
 public:
-  /// Borrows all of them. `asksForNearest`: the nearest vertices are needed. `error` becomes the
-  /// error that all ranks report instead of that of the status.
+  /// Borrows all of them. `also`: what is needed beside the surface around places. `error` becomes
+  /// the error that all ranks report instead of that of the status.
   vtkAHDRankSamples(const vtkAHDSettings& settings, vtkAHDRanks& ranks,
-    const vtkAHDContext& context, bool asksForNearest, std::string& error);
+    const vtkAHDContext& context, ahd::BlockNeeds::Also also, std::string& error);
   ~vtkAHDRankSamples();
 
   /// Shares the descriptions of all ranks, and moves points to their owners. `before`: the reason
@@ -72,7 +72,7 @@ private:
   vtkAHDSettings LocalSettings;
   vtkAHDRanks& Ranks;
   const vtkAHDContext& Context;
-  const bool AsksForNearest;
+  const ahd::BlockNeeds::Also Also;
   vtkAHDAllFacts Facts;
   const char* Setting = nullptr; // for which each gets all
   std::unique_ptr<vtkAHDRankPoints> Points;

@@ -258,9 +258,12 @@ void vtkAHDRankSampling::SayError(ahd::Status status)
 /// Returns false on all ranks if there is an error that each has said. Throws as FindRaster().
 bool vtkAHDRankSampling::RunTogether(const Inputs& inputs, vtkDataObject* output)
 {
-  const bool asksForNearest = this->Wishes.IsNearest() || this->Wishes.NearestOutside;
-  vtkAHDRankSamples samples(
-    this->Settings, this->Ranks, this->Context, asksForNearest, this->Error);
+  using Also = ahd::BlockNeeds::Also;
+  const Also also = this->Wishes.IsNearest()                    ? Also::Nearest
+    : this->Wishes.Outside == ahd::OutsideValues::Boundary      ? Also::All
+    : this->Wishes.Outside == ahd::OutsideValues::NearestVertex ? Also::Nearest
+                                                                : Also::Nothing;
+  vtkAHDRankSamples samples(this->Settings, this->Ranks, this->Context, also, this->Error);
   this->MeetAll(inputs);
   samples.Begin(inputs.Data, inputs.Before);
   if (!vtkAHDAreNamesFit(this->Filter, this->Wishes)) // on all ranks alike

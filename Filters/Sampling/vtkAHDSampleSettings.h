@@ -17,8 +17,8 @@ struct vtkAHDSampleSettings
   vtkAHDRasterWish Raster;
   bool UseBounds = false;
   std::array<double, 4> Bounds = { { 0.0, 1.0, 0.0, 1.0 } };
-  bool AsSurface = false;      ///< the raster, as points at their heights
-  bool NearestOutside = false; ///< places outside get the value of the nearest vertex
+  bool AsSurface = false; ///< the raster, as points at their heights
+  ahd::OutsideValues Outside = ahd::OutsideValues::None;
   double NoValue = std::numeric_limits<double>::quiet_NaN();
   bool Gradients = false;
   std::string Heights; ///< the name of their array; empty: no array
@@ -26,6 +26,11 @@ struct vtkAHDSampleSettings
   vtkAHDSettingsOfRanks OfRanks;
 
   bool IsNearest() const { return this->Method == ahd::SampleMethod::Nearest; }
+  /// Do places outside get values? Nearest has them anyway.
+  bool FillsOutside() const
+  {
+    return this->Outside != ahd::OutsideValues::None && !this->IsNearest();
+  }
   bool MakesGradients() const
   {
     return this->Gradients && this->Method == ahd::SampleMethod::Linear;

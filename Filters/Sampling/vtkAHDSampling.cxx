@@ -54,9 +54,9 @@ void vtkAHDSampling::Interpolate(
   {
     columns.CountMissing(this->Mask->GetPointer(0), this->Context);
   }
-  if (this->Settings.NearestOutside && this->Report.outside > 0)
+  if (this->Settings.FillsOutside() && this->Report.outside > 0)
   {
-    this->FillOutside(places, arrays);
+    this->FillOutside(sampler, places, arrays);
   }
   columns.Finish(this->Context);
 }
@@ -66,7 +66,7 @@ void vtkAHDSampling::FindNearest(
 {
   ahd::Sampler sampler;
   this->Context.Check(
-    sampler.prepare(this->Surface, nullptr, ahd::SampleMethod::Nearest, this->Context));
+    sampler.prepare(this->Surface, this->Kept, ahd::SampleMethod::Nearest, this->Context));
   const auto numbers = NumbersOf(this->Surface.points().count, this->Context);
   ahd::UninitialisedVector<double> ids;
   ids.resize(places.count());
@@ -76,14 +76,18 @@ void vtkAHDSampling::FindNearest(
   this->Report.withoutValue = columns.Gather(heights, ids.data(), places.count(), this->Context);
 }
 
-void vtkAHDSampling::FillOutside(
-  const ahd::SamplePlaces& places, const std::vector<ahd::SampleArray>& arrays)
+void vtkAHDSampling::FillOutside(const ahd::Sampler& inside, const ahd::SamplePlaces& places,
+  const std::vector<ahd::SampleArray>& arrays)
 {
+  const bool isBoundary = this->Settings.Outside == ahd::OutsideValues::Boundary;
   ahd::Sampler nearest;
-  this->Context.Check(
-    nearest.prepare(this->Surface, nullptr, ahd::SampleMethod::Nearest, this->Context));
-  this->Context.Check(ahd::fillOutside(
-    nearest, places, arrays.data(), arrays.size(), BytesOf(this->Mask), this->Context));
+  if (!isBoundary)
+  {
+    this->Context.Check(
+      nearest.prepare(this->Surface, this->Kept, ahd::SampleMethod::Nearest, this->Context));
+  }
+  this->Context.Check(ahd::fillOutside(isBoundary ? inside : nearest, places, arrays.data(),
+    arrays.size(), BytesOf(this->Mask), this->Context));
 }
 
 double vtkAHDSampling::EstimateBytes(const vtkAHDSampleSettings& settings,
@@ -95,7 +99,7 @@ double vtkAHDSampling::EstimateBytes(const vtkAHDSampleSettings& settings,
   const std::size_t components = settings.IsNearest() ? 1 : columns.GetNumberOfComponents();
   double bytes = columns.EstimateBytes(points, count) +
     double(ahd::sampleMemoryEstimate(points, places, components));
-  if (settings.NearestOutside && !settings.IsNearest())
+  if (settings.FillsOutside())
   {
     bytes += double(ahd::fillOutsideMemoryEstimate(points, places, components));
   }

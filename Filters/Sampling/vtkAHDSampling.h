@@ -51,7 +51,8 @@ private:
     const ahd::SamplePlaces& places, const double* heights, vtkAHDSampleColumns& columns);
   void FindNearest(
     const ahd::SamplePlaces& places, const double* heights, vtkAHDSampleColumns& columns);
-  void FillOutside(const ahd::SamplePlaces& places, const std::vector<ahd::SampleArray>& arrays);
+  void FillOutside(const ahd::Sampler& inside, const ahd::SamplePlaces& places,
+    const std::vector<ahd::SampleArray>& arrays);
 
   const vtkAHDSampleSettings& Settings;
   ahd::Triangulation& Surface;

@@ -121,7 +121,7 @@ Status BlockNeeds::make(const std::vector<std::vector<Shared>>& all, Ticker& tic
   }
   const PointView view(places_.data(), ids_.size(), 2);
   const bool isConstrained = constraintIds(input_.constraints) > 0;
-  Status status = isConstrained && nearest_
+  Status status = isConstrained && also_ == Also::Nearest
     ? triangulate(view, Options(), workspace_, context_, plain_)
     : Status::Ok;
   status = status == Status::Ok ? triangulate(view, Options(), workspace_, context_, made_)
@@ -177,7 +177,7 @@ bool BlockNeeds::addCoincident(std::vector<Index>& numbers, Ticker& ticker) cons
 }
 
 /// Could others' points that a block does not have change the order of those that it has, or which
-/// constraints are left out? The same on all blocks.
+/// constraints are left out, or be wanted wherever they are? The same on all blocks.
 bool BlockNeeds::mustTakeAll(const std::vector<Facts>& all) const
 {
   bool crosses = false;
@@ -193,7 +193,9 @@ bool BlockNeeds::mustTakeAll(const std::vector<Facts>& all) const
     most = std::max(most, together);
     crosses = crosses || one.crosses;
   }
-  return crosses || most > crowdLimit();
+  const bool hasLoops = input_.constraints.chains > input_.constraints.lines;
+  return crosses || most > crowdLimit() || also_ == Also::All ||
+    (also_ == Also::Nearest && hasLoops);
 }
 
 Status BlockNeeds::begin()
@@ -257,6 +259,7 @@ Status BlockNeeds::find(const std::vector<Bounds>& boxes, std::vector<BlockPoint
     [&](std::vector<Bounds>& own, Ticker&)
     {
       own = boxes;
+      growByRounding(bounds(), own);
       return true;
     });
   steps.exchange(from,

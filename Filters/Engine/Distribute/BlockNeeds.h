@@ -22,16 +22,25 @@ class Ticker;
 /// had all points (Sample/BoxNeighbors.h). Each block triangulates its own points and a few that
 /// all blocks share: so it can find which of its points others need.
 ///
+/// Of constraints, loops may hide the nearest vertex, others do not: with loops it takes all
+/// points.
+///
 /// Collective functions return Ok, Cancelled, TooManyPoints or OutOfMemory, the same on all blocks.
 class BlockNeeds
 {
 public:
-  /// Borrows all of them. `nearest`: the nearest vertices are needed, too, which constraints may
-  /// hide. The options of `input` are ignored.
-  BlockNeeds(
-    const BlockInput& input, bool nearest, BlockTransport& transport, const Context& context)
+  /// What is wanted beside the surface around a place.
+  enum class Also
+  {
+    Nothing,
+    Nearest, ///< the nearest vertices, which constraints may hide
+    All      ///< whatever there is: the nearest place of the rim, say
+  };
+
+  /// Borrows all of them. The options of `input` are ignored.
+  BlockNeeds(const BlockInput& input, Also also, BlockTransport& transport, const Context& context)
     : input_(input)
-    , nearest_(nearest)
+    , also_(also)
     , transport_(transport)
     , context_(context)
   {
@@ -76,7 +85,7 @@ private:
   Status list(const std::vector<Bounds>& boxes, std::vector<std::int64_t>& ids, Ticker& ticker);
 
   const BlockInput input_;
-  const bool nearest_;
+  const Also also_;
   BlockTransport& transport_;
   const Context context_;
   std::vector<double> places_;    ///< x, y: of own points, then of shared ones of others

@@ -71,6 +71,7 @@ constexpr struct
   { AHD_SAMPLE_NEAREST, std::int64_t(SampleMethod::Nearest) },
   { AHD_OUTSIDE_NO_VALUE, std::int64_t(OutsideValues::None) },
   { AHD_OUTSIDE_NEAREST_VERTEX, std::int64_t(OutsideValues::NearestVertex) },
+  { AHD_OUTSIDE_BOUNDARY, std::int64_t(OutsideValues::Boundary) },
   { AHD_IN_TRIANGLE, std::int64_t(PlaceKind::InTriangle) },
   { AHD_ON_EDGE, std::int64_t(PlaceKind::OnEdge) },
   { AHD_ON_VERTEX, std::int64_t(PlaceKind::OnVertex) },

@@ -16,8 +16,15 @@
  *       puts(ahd_message(job));
  *
  * The triangle, edge or vertex of a place is determined exactly: a place on a vertex gets the value
- * of the vertex, one on an edge a value from its two ends alone, the same from either side. Outside
- * the output triangles there is no value, unless requested: the mask is 0 and values are NaN.
+ * of the vertex, one on an edge a value from its two ends alone, the same from either side. One
+ * that is outside by no more than rounding has the value at the nearest place of the surface: at
+ * most 16 units in the last place of the largest coordinate of it and an edge with one triangle,
+ * exactly. ahd_locate() says that it is outside, or in which triangle. Farther outside the output
+ * triangles there is no value, unless requested: the mask is 0 and values are NaN.
+ *
+ * Of vertices one is nearest that can be reached in a straight line which does not leave the
+ * surface through a constraint edge that bounds a hole or the outline, and is in a triangle that
+ * loops keep (or in none): with AHD_SAMPLE_NEAREST and AHD_OUTSIDE_NEAREST_VERTEX alike.
  *
  * The settings, of type int, apply to subsequent calls:
  *   sample_method    0   AHD_SAMPLE_...
@@ -27,7 +34,8 @@
  * Counts, of the last ahd_sample() or ahd_sample_weights() of the result that returned AHD_OK, 0
  * before:
  *   sampled_places        = sampled_valued + sampled_outside + sampled_not_finite
- *   sampled_valued        on the surface; with AHD_SAMPLE_NEAREST all that are finite
+ *   sampled_valued        on the surface, or outside by rounding; with AHD_SAMPLE_NEAREST all that
+ *                         are finite, if there is a vertex to be nearest
  *   sampled_outside       outside the hull, in a hole or in a removed triangle
  *   sampled_not_finite    with a NaN or infinite x or y
  *   sampled_without_value numbers at valued places that are NaN, because values at points are NaN
@@ -74,7 +82,8 @@ enum
 enum
 {
   AHD_OUTSIDE_NO_VALUE = 0,
-  AHD_OUTSIDE_NEAREST_VERTEX = 1 /* the values of the nearest vertex; the mask stays 0 */
+  AHD_OUTSIDE_NEAREST_VERTEX = 1, /* the values of the nearest vertex; the mask stays 0 */
+  AHD_OUTSIDE_BOUNDARY = 2        /* those at the nearest place of the surface; the mask stays 0 */
 };
 
 /* The places of the values, in the plane of the triangulation: `count` places `xy`, x and y each;

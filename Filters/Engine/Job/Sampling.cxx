@@ -67,7 +67,9 @@ Sampling::Sampling(Job& job, const GivenPlaces& places)
   , kept_(made_.sampling)
   , places_(placesOf(places))
   , method_(SampleMethod(job.settings[IntSetting::SampleMethod]))
-  , fills_(job.settings.is(IntSetting::SampleOutside) && method_ != SampleMethod::Nearest)
+  , outside_(method_ == SampleMethod::Nearest
+        ? OutsideValues::None
+        : OutsideValues(job.settings[IntSetting::SampleOutside]))
 {
 }
 
@@ -76,7 +78,7 @@ std::size_t Sampling::bytesFor(std::size_t components, bool hasMask) const
   const std::size_t points = made_.points.points().count, places = places_.count();
   return static_cast<std::size_t>(job_.settings[IntSetting::OtherMemory]) +
     (kept_.hasTables ? 0 : tableMemoryEstimate(points)) +
-    estimateOf(points, places_, components, fills_) + (fills_ && !hasMask ? places : 0);
+    estimateOf(points, places_, components, fills()) + (fills() && !hasMask ? places : 0);
 }
 
 void Sampling::estimate(std::uint64_t columns, std::uint64_t& bytes) const
@@ -114,10 +116,10 @@ std::vector<double> Sampling::stageWeights() const
   const double perPlace = method_ == SampleMethod::Linear ? places_.isRaster() ? 3e-8 : 3e-7
     : method_ == SampleMethod::Nearest                    ? 6e-7
                                                           : 1e-6;
-  const double tree = kept_.nearest.is ? 0.0 : kTree;
+  const double tree = kept_.nearest.is || outside_ == OutsideValues::Boundary ? 0.0 : kTree;
   return { points *
       ((kept_.hasTables ? 0.0 : kTables) + (method_ == SampleMethod::Nearest ? kTree : 0.0)),
-    places * perPlace, fills_ ? points * tree + places * 1e-7 : 0.0 };
+    places * perPlace, fills() ? points * tree + places * 1e-7 : 0.0 };
 }
 
 template <typename Work>
@@ -206,17 +208,19 @@ void Sampling::values(const std::vector<GivenSamples>& given, std::uint8_t* mask
     [&](const Sampler& sampler, SampleReport& report, const Context& context)
     {
       Buffer<unsigned char> ownMask;
-      if (fills_ && !mask)
+      if (fills() && !mask)
       {
         ownMask.allocate(places_.count());
         mask = ownMask.data();
       }
       check(sampler.values(places_, arrays.data(), arrays.size(), mask, report, context));
-      if (fills_ && report.outside > 0)
+      if (fills() && report.outside > 0)
       {
         job_.progress.reach(3);
-        const Sampler& nearest = prepare(kept_.nearest, SampleMethod::Nearest, context);
-        check(fillOutside(nearest, places_, arrays.data(), arrays.size(), mask, context));
+        const Sampler& filler = outside_ == OutsideValues::Boundary
+          ? sampler
+          : prepare(kept_.nearest, SampleMethod::Nearest, context);
+        check(fillOutside(filler, places_, arrays.data(), arrays.size(), mask, context));
       }
     });
 }
@@ -229,7 +233,7 @@ void Sampling::weights()
                                                                 : 7;
   const std::size_t bytes = (places_.count() + 1) * sizeof(std::uint64_t) +
     places_.count() * perPlace * (sizeof(std::int32_t) + sizeof(double));
-  fills_ = false;
+  outside_ = OutsideValues::None;
   SampleWeights made; // those before stay until these are there
   run(bytesFor(0, true) + bytes,
     [&](const Sampler& sampler, SampleReport& report, const Context& context)

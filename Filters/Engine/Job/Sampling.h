@@ -79,6 +79,7 @@ private:
   std::size_t bytesFor(std::size_t components, bool hasMask) const;
   void checkMemory(std::size_t bytes) const;
   std::vector<SampleArray> arraysOf(const std::vector<GivenSamples>& given) const;
+  bool fills() const { return outside_ != OutsideValues::None; }
   template <typename Work>
   void run(std::size_t bytes, const Work& work);
   const Sampler& prepare(JobSampling::Ready& ready, SampleMethod method, const Context& context);
@@ -89,7 +90,7 @@ private:
   JobSampling& kept_;
   SamplePlaces places_;
   SampleMethod method_;
-  bool fills_;
+  OutsideValues outside_;
 };
 
 /// The bytes that sampling takes for so many points, without the tables.

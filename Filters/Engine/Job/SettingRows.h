@@ -102,7 +102,7 @@ constexpr SettingRow<std::int64_t> kIntRows[] = {
   { "want_neighbors", 0, 0, 1 },
   { "want_samples", 0, 0, 1 },
   { "sample_method", 0, 0, 3 },
-  { "sample_outside", 0, 0, 1 },
+  { "sample_outside", 0, 0, 2 },
   { "threads", 0, 0, 1024 },
   { "memory_limit", 0, 0, 4611686018427387904 },
   { "other_memory", 0, 0, 4611686018427387904 },

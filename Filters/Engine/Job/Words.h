@@ -71,13 +71,6 @@ enum class RimKind
   Trimmed
 };
 
-/// What places outside of the surface have.
-enum class OutsideValues
-{
-  None,
-  NearestVertex
-};
-
 /// What a place lies on.
 enum class PlaceKind : std::int32_t
 {

@@ -8,11 +8,14 @@
 #include "../Order/Rank.h"
 #include "../Points/JoinedBounds.h"
 #include "../Predicates/Discs.h"
+#include "../Predicates/Distances.h"
 #include "../Predicates/Predicates.h"
 #include "../Triangulation/Locate.h"
 #include "../Triangulation/State.h"
+#include "NearestSeen.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace ahd
 {
@@ -324,6 +327,24 @@ Status findCrowd(Triangulation& part, const Context& context, std::size_t& most)
       };
       return inChunks(0, state.ranked.count, ticker, look);
     });
+}
+
+void growByRounding(const Bounds& all, std::vector<Bounds>& boxes)
+{
+  for (Bounds& box : boxes)
+  {
+    if (!isEmpty(box))
+    {
+      const double by = 2.0 * roundingAt(std::max(isEmpty(all) ? 0.0 : sizeOf(all), sizeOf(box)));
+      const auto moved = [](double value, double step)
+      {
+        constexpr double kMost = std::numeric_limits<double>::max();
+        return std::max(-kMost, std::min(value + step, kMost));
+      };
+      box = { moved(box.xmin, -by), moved(box.xmax, by), moved(box.ymin, -by),
+        moved(box.ymax, by) };
+    }
+  }
 }
 
 bool shareBox(const Bounds& all, const Bounds& one, const Bounds& other)

@@ -59,6 +59,10 @@ Status findCrowd(Triangulation& part, const Context& context, std::size_t& most)
 /// own bounds decide. False for empty ones.
 bool shareBox(const Bounds& all, const Bounds& one, const Bounds& other);
 
+/// Grows boxes so that they have all of a surface that is within rounding of places in them, too.
+/// `all`: the bounds of all points.
+void growByRounding(const Bounds& all, std::vector<Bounds>& boxes);
+
 /// Boxes around places, at most `most` (1 at least), such that each finite place is in one: halved
 /// across the longer side where most places are. Empty if no place is finite.
 ///

@@ -2,6 +2,7 @@
 #ifndef ahd_Methods_h
 #define ahd_Methods_h
 
+#include "RimTree.h"
 #include "Spots.h"
 #include "VertexLine.h"
 #include "VertexTree.h"
@@ -25,8 +26,11 @@ public:
 
   Weights onEdge(HalfEdge h, const Point& place);
   Weights onVertex(HalfEdge h);
-  /// Of a spot that is in no triangle: on an edge or a vertex, else none.
-  Weights at(const Spot& spot, const Point& place);
+  /// Of a spot that is in no triangle: on an edge or a vertex, or outside by no more than rounding.
+  /// Returns false if cancelled, as all below.
+  bool at(const Spot& spot, const Point& place, const RimTree& rim, Ticker& ticker, Weights& found);
+  /// Of the place of the rim that is nearest to this one.
+  bool nearestTo(const Point& place, const RimPlace& rim, Ticker& ticker, Weights& found);
 
 private:
   SampledSurface surface_;
@@ -39,8 +43,9 @@ class LinearMethod
 {
 public:
   /// @pre triangles.
-  explicit LinearMethod(const SampledSurface& surface)
+  LinearMethod(const SampledSurface& surface, const RimTree& rim)
     : surface_(surface)
+    , rimTree_(&rim)
     , finder_(surface)
     , rim_(surface)
   {
@@ -50,6 +55,7 @@ public:
 
 private:
   SampledSurface surface_;
+  const RimTree* rimTree_;
   SpotFinder finder_;
   RimWeights rim_;
   double weights_[3];
@@ -68,17 +74,21 @@ inline void triangleWeights(
 class LineMethod
 {
 public:
-  explicit LineMethod(const VertexLine& line)
+  LineMethod(const VertexLine& line, const RimTree& rim)
     : line_(&line)
+    , rimTree_(&rim)
   {
   }
 
   bool weightsAt(const Point& place, Ticker& ticker, Weights& found);
+  /// Of the place of the line that is nearest to this one.
+  void nearestTo(const Point& place, const RimPlace& rim, Weights& found);
 
 private:
   void findEnds(Weights& found) const;
 
   const VertexLine* line_;
+  const RimTree* rimTree_;
   Index vertices_[2];
   double weights_[2];
 };
@@ -88,8 +98,9 @@ class NearestMethod
 {
 public:
   /// @pre the tree is not empty.
-  explicit NearestMethod(const VertexTree& tree)
+  NearestMethod(const VertexTree& tree, const RimTree& walls)
     : tree_(&tree)
+    , walls_(&walls)
   {
   }
 
@@ -97,9 +108,33 @@ public:
 
 private:
   const VertexTree* tree_;
+  const RimTree* walls_;
   std::size_t last_ = 0;
   Index vertex_;
   double weight_ = 1.0;
+};
+
+/// At places outside the surface, the values of the place of it that is nearest.
+class BoundaryMethod
+{
+public:
+  /// @pre triangles, or a line.
+  BoundaryMethod(const SampledSurface& surface, const VertexLine& line, const RimTree& rim)
+    : rimTree_(&rim)
+    , isLine_(surface.tables->triangles() == 0)
+    , rim_(surface)
+    , line_(line, rim)
+  {
+  }
+
+  bool weightsAt(const Point& place, Ticker& ticker, Weights& found);
+
+private:
+  const RimTree* rimTree_;
+  bool isLine_;
+  std::size_t last_ = 0;
+  RimWeights rim_;
+  LineMethod line_;
 };
 
 /// No method: there are no vertices.

@@ -307,8 +307,7 @@ bool NaturalMethod::weightsAt(const Point& place, Ticker& ticker, Weights& found
   {
     return weightsInside(spot, place, ticker, found);
   }
-  found = rim_.at(spot, place);
-  return true;
+  return rim_.at(spot, place, *rimTree_, ticker, found);
 }
 
 } // namespace ahd

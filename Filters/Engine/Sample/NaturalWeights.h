@@ -65,8 +65,9 @@ class NaturalMethod
 {
 public:
   /// @pre triangles.
-  NaturalMethod(const SampledSurface& surface, bool isLaplace)
+  NaturalMethod(const SampledSurface& surface, const RimTree& rim, bool isLaplace)
     : surface_(surface)
+    , rimTree_(&rim)
     , isLaplace_(isLaplace)
     , finder_(surface)
     , rim_(surface)
@@ -81,6 +82,7 @@ private:
   bool findScale(const Point& place, Ticker& ticker, double& scale) const;
 
   SampledSurface surface_;
+  const RimTree* rimTree_;
   bool isLaplace_;
   SpotFinder finder_;
   RimWeights rim_;

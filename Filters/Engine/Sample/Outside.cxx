@@ -64,7 +64,7 @@ public:
     return ticker.ask();
   }
 
-  Status fill(const Sampler& nearest, const Context& context)
+  Status fill(const Sampler& sampler, const Context& context)
   {
     std::vector<SampleArray> arrays(arrays_);
     for (std::size_t k = 0; k != arrays.size(); ++k)
@@ -74,8 +74,10 @@ public:
     }
     SampleReport report;
     const PointView listed(xy_.data(), listed_, 2);
-    return nearest.values(
-      SamplePlaces(listed), arrays.data(), arrays.size(), nullptr, report, context);
+    const SamplePlaces places(listed);
+    return sampler.isNearest()
+      ? sampler.values(places, arrays.data(), arrays.size(), nullptr, report, context)
+      : sampler.valuesAtRim(places, arrays.data(), arrays.size(), report, context);
   }
 
   /// Returns false if cancelled.
@@ -109,7 +111,7 @@ private:
 
 } // namespace
 
-Status fillOutside(const Sampler& nearest, const SamplePlaces& places, const SampleArray* arrays,
+Status fillOutside(const Sampler& sampler, const SamplePlaces& places, const SampleArray* arrays,
   std::size_t count, const unsigned char* mask, const Context& context)
 {
   return withoutThrowing(
@@ -122,7 +124,7 @@ Status fillOutside(const Sampler& nearest, const SamplePlaces& places, const Sam
         {
           return Status::Cancelled;
         }
-        const Status status = filling.isEmpty() ? Status::Ok : filling.fill(nearest, context);
+        const Status status = filling.isEmpty() ? Status::Ok : filling.fill(sampler, context);
         if (status != Status::Ok)
         {
           return status;

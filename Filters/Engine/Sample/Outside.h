@@ -9,11 +9,12 @@
 namespace ahd
 {
 
-/// Gives finite places that have no value, whose `mask` is 0, the values of the nearest vertex, in
-/// place of what `out` of the arrays has there; slopes and mask stay. `nearest`: a Sampler that was
-/// prepared for SampleMethod::Nearest. Returns Ok, Cancelled or OutOfMemory; unless Ok, some places
-/// may have theirs. Time: what Nearest takes at these places.
-Status fillOutside(const Sampler& nearest, const SamplePlaces& places, const SampleArray* arrays,
+/// Gives finite places that have no value, whose `mask` is 0, one in place of what `out` of the
+/// arrays has there; slopes and mask stay. `sampler`: prepared for SampleMethod::Nearest, the
+/// values of the nearest vertex; for another method, those at the nearest place of the surface.
+/// Returns Ok, Cancelled or OutOfMemory; unless Ok, some places may have theirs. Time: what Nearest
+/// takes at these places.
+Status fillOutside(const Sampler& sampler, const SamplePlaces& places, const SampleArray* arrays,
   std::size_t count, const unsigned char* mask, const Context& context);
 
 /// Upper estimate of the bytes that fillOutside() takes for so many points, and for these places,

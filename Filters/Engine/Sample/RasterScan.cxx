@@ -87,14 +87,37 @@ bool RasterScan::run(SampleReport& report, Ticker& ticker)
   {
     return false;
   }
+  if (!scanTriangles(report, ticker))
+  {
+    return false;
+  }
+  report.outside = raster_.columns * raster_.rows - report.valued;
+  return report.outside == 0 || scanRim(report, ticker);
+}
+
+/// work(task, report, ticker) for each; adds up the reports.
+template <typename Work>
+bool RasterScan::inTasks(std::size_t tasks, SampleReport& report, Ticker& ticker, const Work& work)
+{
+  std::vector<SampleReport> reports(tasks);
+  const bool done = inParallel(
+    ticker, tasks, [&](std::size_t task, Ticker& own) { return work(task, reports[task], own); });
+  for (const SampleReport& some : reports)
+  {
+    addTo(report, some);
+  }
+  return done;
+}
+
+bool RasterScan::scanTriangles(SampleReport& report, Ticker& ticker)
+{
   const std::size_t triangles = surface_.tables->triangles();
   const std::size_t cells = raster_.columns * raster_.rows;
   const std::size_t tasks = tasksFor(threadsOf(ticker), triangles, 8, kChunk);
   const RasterGrid grid{ x_.data() + 1, y_.data() + 1, raster_.columns, raster_.rows,
     raster_.at(0, 0), { 1.0 / raster_.spacing.x, 1.0 / raster_.spacing.y }, error_ };
-  std::vector<SampleReport> reports(tasks);
-  const bool done = inParallel(ticker, tasks,
-    [&](std::size_t number, Ticker& own)
+  return inTasks(tasks, report, ticker,
+    [&](std::size_t number, SampleReport& found, Ticker& own)
     {
       RasterTask task(surface_, grid, columns_, mask_);
       const Share share(triangles, number, tasks);
@@ -106,14 +129,113 @@ bool RasterScan::run(SampleReport& report, Ticker& ticker)
         }
       }
       own.finished(cells / tasks);
-      reports[number] = task.report();
+      found = task.report();
       return true;
     });
-  for (const SampleReport& some : reports)
+}
+
+/// Finds the cells next to the rim that are outside by no more than rounding.
+class RasterScan::RimTask
+{
+public:
+  explicit RimTask(const RasterScan& scan)
+    : scan_(scan)
+    , finder_(scan.surface_)
+    , rim_(scan.surface_)
+    , sink_(scan.columns_, scan.surface_, scan.mask_, false)
   {
-    addTo(report, some);
   }
-  report.outside = cells - report.valued;
+
+  /// The tiles of a row of them. Returns false if cancelled.
+  bool run(std::size_t row, Ticker& ticker)
+  {
+    const SampleRaster& raster = scan_.raster_;
+    const std::size_t first = row * kTile, last = std::min(raster.rows, first + kTile);
+    for (std::size_t column = 0; column < raster.columns; column += kTile)
+    {
+      const std::size_t end = std::min(raster.columns, column + kTile);
+      bool isNear = false;
+      if (!scan_.rim_.mayBeNear(
+            Box::around(raster.at(column, first), raster.at(end - 1, last - 1)), ticker, isNear) ||
+        (isNear && !look(column, end, first, last, ticker)))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const SampleReport& report() const { return sink_.report(); }
+
+  static constexpr std::size_t kTile = 16; ///< cells along each side
+
+private:
+  bool look(std::size_t column, std::size_t end, std::size_t row, std::size_t last, Ticker& ticker)
+  {
+    for (; row != last; ++row)
+    {
+      for (std::size_t k = column; k != end; ++k)
+      {
+        if (!lookAt(k, row, ticker))
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  bool lookAt(std::size_t column, std::size_t row, Ticker& ticker)
+  {
+    const Point place = scan_.raster_.at(column, row);
+    RimPlace nearest;
+    Spot spot;
+    Weights found;
+    if (!scan_.rim_.findWithinRounding(place, ticker, nearest))
+    {
+      return false;
+    }
+    if (!nearest.is)
+    {
+      return true;
+    }
+    if (!finder_.find(place, ticker, spot))
+    {
+      return false;
+    }
+    return spot.kind != Spot::Outside ||
+      (rim_.nearestTo(place, nearest, ticker, found) &&
+        sink_.put(row * scan_.raster_.columns + column, found, ticker));
+  }
+
+  const RasterScan& scan_;
+  SpotFinder finder_;
+  RimWeights rim_;
+  ValueSink sink_;
+};
+
+bool RasterScan::scanRim(SampleReport& report, Ticker& ticker)
+{
+  const std::size_t rows = (raster_.rows + RimTask::kTile - 1) / RimTask::kTile;
+  const std::size_t tasks = tasksFor(threadsOf(ticker), rows, 8, 1);
+  SampleReport atRim;
+  const bool done = inTasks(tasks, atRim, ticker,
+    [&](std::size_t number, SampleReport& found, Ticker& own)
+    {
+      RimTask task(*this);
+      const Share share(rows, number, tasks);
+      for (std::size_t row = share.begin; row != share.end; ++row)
+      {
+        if (!task.run(row, own))
+        {
+          return false;
+        }
+      }
+      found = task.report();
+      return true;
+    });
+  addTo(report, atRim);
+  report.outside -= atRim.valued;
   return done;
 }
 

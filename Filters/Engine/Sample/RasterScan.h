@@ -2,6 +2,7 @@
 #ifndef ahd_RasterScan_h
 #define ahd_RasterScan_h
 
+#include "RimTree.h"
 #include "Values.h"
 
 #include <vector>
@@ -20,9 +21,10 @@ class RasterScan
 {
 public:
   /// Borrows all. @pre triangles.
-  RasterScan(const SampledSurface& surface, const SampleRaster& raster,
+  RasterScan(const SampledSurface& surface, const RimTree& rim, const SampleRaster& raster,
     const SampledColumns& columns, unsigned char* mask)
     : surface_(surface)
+    , rim_(rim)
     , raster_(raster)
     , columns_(columns)
     , mask_(mask)
@@ -37,9 +39,15 @@ public:
   bool run(SampleReport& report, Ticker& ticker);
 
 private:
+  class RimTask;
   bool clear(Ticker& ticker);
+  bool scanTriangles(SampleReport& report, Ticker& ticker);
+  bool scanRim(SampleReport& report, Ticker& ticker);
+  template <typename Work>
+  bool inTasks(std::size_t tasks, SampleReport& report, Ticker& ticker, const Work& work);
 
   SampledSurface surface_;
+  const RimTree& rim_;
   SampleRaster raster_;
   const SampledColumns& columns_;
   unsigned char* mask_;

@@ -7,6 +7,7 @@
 #include "Methods.h"
 #include "NaturalWeights.h"
 #include "RasterScan.h"
+#include "RimTree.h"
 #include "Values.h"
 #include "Visits.h"
 
@@ -22,6 +23,7 @@ struct Sampler::State
   SampledSurface surface{ nullptr, nullptr, nullptr };
   VertexLine line; ///< if there are no triangles
   VertexTree tree; ///< for Nearest
+  RimTree edges;   ///< for Nearest the walls, else the rim
 
   bool hasTriangles() const { return made && made->allTriangles != 0; }
   Bounds bounds() const { return made ? made->ranked.bounds : Bounds(); }
@@ -40,15 +42,15 @@ struct Sampler::State
     }
     if (method == SampleMethod::Nearest)
     {
-      return run(NearestMethod(tree));
+      return run(NearestMethod(tree, edges));
     }
     if (!hasTriangles())
     {
-      return run(LineMethod(line));
+      return run(LineMethod(line, edges));
     }
     return method == SampleMethod::Linear
-      ? run(LinearMethod(surface))
-      : run(NaturalMethod(surface, method == SampleMethod::Laplace));
+      ? run(LinearMethod(surface, edges))
+      : run(NaturalMethod(surface, edges, method == SampleMethod::Laplace));
   }
 };
 
@@ -78,9 +80,12 @@ Status Sampler::prepare(
         const TriangulationAccess::State& made = *state->made;
         state->surface = { &made.tables, made.ranked.xy.data(), kept };
         Ticker ticker(context.progress, Phase::Outputs, made.ranked.count, context.executor);
-        done = method == SampleMethod::Nearest ? state->tree.build(made, ticker)
-          : state->hasTriangles()              ? ticker.ask()
-                                               : state->line.build(made, ticker);
+        const bool isNearest = method == SampleMethod::Nearest;
+        done = (isNearest                  ? state->tree.build(made, ticker)
+                   : state->hasTriangles() ? ticker.ask()
+                                           : state->line.build(made, ticker)) &&
+          state->edges.build(
+            state->surface, state->line, isNearest ? RimTree::Walls : RimTree::Rim, ticker);
       }
       state_ = std::move(state);
       return done;
@@ -92,10 +97,16 @@ Status Sampler::prepare(
   return status;
 }
 
-Status Sampler::values(const SamplePlaces& places, const SampleArray* arrays, std::size_t count,
-  unsigned char* mask, SampleReport& report, const Context& context) const
+bool Sampler::isNearest() const
 {
-  report = SampleReport();
+  return state_ && state_->method == SampleMethod::Nearest;
+}
+
+/// work(state, columns, sink, ticker) for these arrays.
+template <typename Visit>
+Status Sampler::visit(const SamplePlaces& places, const SampleArray* arrays, std::size_t count,
+  unsigned char* mask, const Context& context, const Visit& work) const
+{
   return unlessCancelled(
     [&]
     {
@@ -105,21 +116,42 @@ Status Sampler::values(const SamplePlaces& places, const SampleArray* arrays, st
       SampledColumns columns;
       const bool leavesOut = state.method == SampleMethod::NaturalNeighbor ||
         state.method == SampleMethod::Laplace;
-      if (!ticker.ask() || !columns.build(state.made, arrays, count, places.count(), ticker))
-      {
-        return false;
-      }
+      return ticker.ask() && columns.build(state.made, arrays, count, places.count(), ticker) &&
+        work(state, columns, ValueSink(columns, state.surface, mask, leavesOut), ticker) &&
+        ticker.ask();
+    });
+}
+
+Status Sampler::values(const SamplePlaces& places, const SampleArray* arrays, std::size_t count,
+  unsigned char* mask, SampleReport& report, const Context& context) const
+{
+  report = SampleReport();
+  return visit(places, arrays, count, mask, context,
+    [&](const State& state, const SampledColumns& columns, const ValueSink& sink, Ticker& ticker)
+    {
       if (places.isRaster() && state.method == SampleMethod::Linear && state.hasTriangles())
       {
-        RasterScan scan(state.surface, places.raster(), columns, mask);
+        RasterScan scan(state.surface, state.edges, places.raster(), columns, mask);
         if (scan.isApplicable(state.bounds()))
         {
-          return scan.run(report, ticker) && ticker.ask();
+          return scan.run(report, ticker);
         }
       }
-      return state.visitAll(
-               places, ValueSink(columns, state.surface, mask, leavesOut), report, ticker) &&
-        ticker.ask();
+      return state.visitAll(places, sink, report, ticker);
+    });
+}
+
+Status Sampler::valuesAtRim(const SamplePlaces& places, const SampleArray* arrays,
+  std::size_t count, SampleReport& report, const Context& context) const
+{
+  report = SampleReport();
+  return visit(places, arrays, count, nullptr, context,
+    [&](const State& state, const SampledColumns&, const ValueSink& sink, Ticker& ticker)
+    {
+      const auto run = [&](const auto& method)
+      { return Visits(places, method, sink, report).run(state.bounds(), ticker); };
+      return state.made ? run(BoundaryMethod(state.surface, state.line, state.edges))
+                        : run(NoMethod());
     });
 }
 
@@ -179,10 +211,11 @@ std::size_t sampleMemoryEstimate(
   std::size_t pointCount, const SamplePlaces& places, std::size_t components)
 {
   // Per component: what its array is read by. Per point: its values; the list of vertices (4), a
-  // node for eight of them (32 / 7), and while the list is made a mark (1) and a list more (4). Per
+  // node for eight of them (32 / 7), and while the list is made a mark (1) and a list more (4), or
+  // later at most three edges of rim or walls (4), and a node for 16 of them (16 / 7). Per
   // place that is not on a raster: key and number, twice, of a block of places; for a raster
   // nothing but where its columns and rows are.
-  constexpr std::size_t kPerPoint = 14, kPerPlace = 32, kBlock = std::size_t(1) << 22;
+  constexpr std::size_t kPerPoint = 28, kPerPlace = 32, kBlock = std::size_t(1) << 22;
   const std::size_t ofPlaces = places.isRaster()
     ? (places.raster().columns + places.raster().rows) * sizeof(double)
     : std::min(places.count(), kBlock) * kPerPlace;

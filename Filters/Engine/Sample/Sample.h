@@ -28,6 +28,14 @@ enum class SampleMethod
   Nearest = 3          ///< the nearest vertex; of several the lexicographically smallest (x, y)
 };
 
+/// What places outside of the surface have.
+enum class OutsideValues
+{
+  None,
+  NearestVertex, ///< the value by SampleMethod::Nearest
+  Boundary       ///< the value at the nearest place of the surface
+};
+
 /// Places in rows: number row * columns + column is origin + (firstColumn + column, firstRow + row)
 /// * spacing, products and sums rounded. So the places of a piece of a raster are those of the
 /// whole one.
@@ -124,7 +132,9 @@ struct SampleWeights
 ///   value (of several points, that of the representing one), an edge that of its two ends, the
 ///   same from either side.
 /// - Values are sums of weights * values, never beyond the values at the vertices but for rounding.
-/// - Outside of the kept triangles there is no value: the mask is 0, values are NaN.
+/// - A place outside by no more than rounding (Predicates/Distances.h, roundingAt()) has the value
+///   at the nearest place of the surface: decided exactly, for each of its edges.
+/// - Farther outside of the kept triangles there is no value: the mask is 0, values are NaN.
 /// - A function of points, constraints, `kept` and place alone: independent of threads, of other
 ///   places, and of raster or points.
 ///
@@ -139,7 +149,10 @@ struct SampleWeights
 /// are left out. A place that needs more bits than a double takes longer: mostly some microseconds,
 /// milliseconds if exponents are hundreds of powers of two apart.
 ///
-/// *Nearest*: of all vertices, whatever the triangles; everywhere.
+/// *Nearest*: everywhere, of the vertices that can be reached in a straight line which does not
+/// leave the surface through a wall, a constraint edge with a kept triangle on one side and one
+/// that is not kept on the other. From a place outside the line may enter the surface. Vertices all
+/// of whose triangles loops or trim() dropped do not count.
 ///
 /// Collinear vertices: Linear, NaturalNeighbor and Laplace are linear between neighbours on the
 /// line, without a value elsewhere; one vertex has a value at its place alone.
@@ -168,6 +181,9 @@ public:
   Status prepare(
     Triangulation& surface, const unsigned char* kept, SampleMethod method, const Context& context);
 
+  /// Is it prepared for SampleMethod::Nearest?
+  bool isNearest() const;
+
   // For several threads at once, each with its own results. Return Ok, Cancelled or OutOfMemory;
   // unless Ok, the outputs are undefined. Without a surface all places are outside.
 
@@ -179,12 +195,23 @@ public:
   Status values(const SamplePlaces& places, const SampleArray* arrays, std::size_t count,
     unsigned char* mask, SampleReport& report, const Context& context) const;
 
+  /// The same for places outside, which have the values at the nearest place of the surface; of
+  /// several the one on the edge whose ends come first. Nothing else counts them as outside.
+  ///
+  /// @pre prepared for another method than Nearest
+  Status valuesAtRim(const SamplePlaces& places, const SampleArray* arrays, std::size_t count,
+    SampleReport& report, const Context& context) const;
+
   /// The weights alone. `report` counts places only.
   Status weights(const SamplePlaces& places, SampleWeights& out, SampleReport& report,
     const Context& context) const;
 
 private:
   struct State;
+  template <typename Visit>
+  Status visit(const SamplePlaces& places, const SampleArray* arrays, std::size_t count,
+    unsigned char* mask, const Context& context, const Visit& work) const;
+
   std::unique_ptr<State> state_;
 };
 

@@ -25,6 +25,17 @@ public:
 
   const Point& at(Index vertex) const { return places_[vertex]; }
 
+  /// Pieces between vertices that follow each other; of one vertex alone a piece without a length.
+  std::size_t pieces() const
+  {
+    return vertices_.size() < 2 ? vertices_.size() : vertices_.size() - 1;
+  }
+  Index beginOf(std::size_t piece) const { return vertices_[piece]; }
+  Index endOf(std::size_t piece) const
+  {
+    return vertices_[vertices_.size() < 2 ? piece : piece + 1];
+  }
+
 private:
   const Index* lowerBound(const Point& place) const;
 

@@ -1,140 +1,148 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VertexTree.h"
 
+#include "../Core/Loops.h"
 #include "../Predicates/Circles.h"
+#include "NearestSeen.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <utility>
 
 namespace ahd
 {
 
-namespace
-{
-
-double sizeOf(const Point& p)
-{
-  return std::max(std::fabs(p.x), std::fabs(p.y));
-}
-
-/// The power of two that makes this about 2^500, so that squares do not overflow, and what is far
-/// smaller does not underflow in them.
-double scaleOf(double largest)
-{
-  constexpr double kScaled = 0x1p499;
-  constexpr int kLeast = -500;
-  return std::ldexp(kScaled, -std::max(std::ilogb(largest), kLeast));
-}
-
-/// What two squared distances that are the same may differ by, as a part of either: each has two
-/// rounded differences, squares and a sum. Differences of distances tell more about what differs by
-/// less.
-constexpr double kSame = 0x1p-48;
-/// ... or by less than this: it is far more than coordinates up to 2^500 that lose 2^-1074 make of
-/// it.
-constexpr double kGuard = 0x1p-560;
-
-} // namespace
-
-/// One call of findNearest().
+/// One call of findNearest(). With walls no vertex counts that is behind one.
 class VertexTree::Search
 {
 public:
-  Search(const VertexTree& tree, const Point& place)
+  Search(const VertexTree& tree, const Point& place, const RimTree* walls)
     : tree_(tree)
     , place_(place)
-    , scale_(scaleOf(std::max(sizeOf(place), tree.largest_)))
-    , scaled_{ place.x * scale_, place.y * scale_ }
+    , walls_(walls)
+    , seen_(place, tree.largest_)
   {
   }
 
-  /// Is it nearer than the best so far?
-  void look(std::size_t k)
+  /// Is it nearer than the best so far? Returns false if cancelled.
+  bool look(std::size_t k, Ticker& ticker)
   {
-    const Point p = tree_.places_[tree_.vertices_[k]];
-    const Point c{ p.x * scale_, p.y * scale_ };
-    const double d = squared(c.x - scaled_.x, c.y - scaled_.y);
-    if (best_ == kNone || d + kGuard < distance_ * (1.0 - kSame) ||
-      (!(d > distance_ * (1.0 + kSame) + kGuard) && !isFarther(c) && isBefore(p)))
+    const Point p = tree_.at(k);
+    const Point c = seen_.scaled(p);
+    const double d = seen_.squaredDistance(c);
+    if (seen_.isCertainlyNearer(d) || (!seen_.isFarther(c, d) && isBefore(p)))
     {
-      best_ = k;
-      nearest_ = c;
-      distance_ = d;
+      bool counts = true;
+      if (walls_ && !isInFront(p, ticker, counts))
+      {
+        return false;
+      }
+      if (counts)
+      {
+        best_ = k;
+        seen_.take(c);
+      }
     }
+    return true;
   }
 
-  bool mayHaveNearer(const Box& b) const
-  {
-    const Point c{ std::max(b.xmin * scale_, std::min(scaled_.x, b.xmax * scale_)),
-      std::max(b.ymin * scale_, std::min(scaled_.y, b.ymax * scale_)) };
-    return !(squared(c.x - scaled_.x, c.y - scaled_.y) > distance_ * (1.0 + kSame) + kGuard) &&
-      !isFarther(c);
-  }
+  bool mayHaveNearer(const Box& b) const { return !seen_.isFarther(b) && !isBehind(b); }
 
   std::size_t best() const { return best_; }
 
 private:
   static constexpr std::size_t kNone = std::size_t(-1);
 
-  static double squared(double x, double y) { return x * x + y * y; }
-
-  /// Is a scaled place certainly farther than the best so far? Seen from afar, squared distances
-  /// are all the same up to rounding; what they differ by is not.
-  ///
-  /// With p the place, q the best and c the other, |c - p|^2 - |q - p|^2 is the sum, over x and y,
-  /// of (c - q) ((c - p) + (q - p)). That has six roundings at most, each of no more than u of the
-  /// sum of |c - q| (|c - p| + |q - p|).
-  bool isFarther(const Point& c) const
-  {
-    constexpr double kRounding = 0x1p-49;
-    const Point &p = scaled_, &q = nearest_;
-    const double more = (c.x - q.x) * ((c.x - p.x) + (q.x - p.x)) +
-      (c.y - q.y) * ((c.y - p.y) + (q.y - p.y));
-    const double size = std::fabs(c.x - q.x) * (std::fabs(c.x - p.x) + std::fabs(q.x - p.x)) +
-      std::fabs(c.y - q.y) * (std::fabs(c.y - p.y) + std::fabs(q.y - p.y));
-    return more > kRounding * size + kGuard;
-  }
-
   bool isBefore(const Point& p) const
   {
-    const Point q = tree_.places_[tree_.vertices_[best_]];
+    const Point q = tree_.at(best_);
     const int nearer = nearerOf(p, q, place_);
     return nearer > 0 || (nearer == 0 && lexicographicallyLess(p, q));
   }
 
+  /// What is behind one wall mostly is with its neighbours. Returns false if cancelled.
+  bool isInFront(const Point& p, Ticker& ticker, bool& is)
+  {
+    is = false;
+    if (wall_ != kNoHalfEdge && walls_->isBehind(place_, wall_, p))
+    {
+      return ticker.step();
+    }
+    HalfEdge wall = kNoHalfEdge;
+    const bool isDone = walls_->findWall(place_, p, ticker, wall);
+    is = wall == kNoHalfEdge;
+    wall_ = is ? wall_ : wall;
+    return isDone;
+  }
+
+  /// All of a box: what is behind a wall is convex.
+  bool isBehind(const Box& b) const
+  {
+    return wall_ != kNoHalfEdge && walls_->isBehind(place_, wall_, { b.xmin, b.ymin }) &&
+      walls_->isBehind(place_, wall_, { b.xmax, b.ymin }) &&
+      walls_->isBehind(place_, wall_, { b.xmin, b.ymax }) &&
+      walls_->isBehind(place_, wall_, { b.xmax, b.ymax });
+  }
+
   const VertexTree& tree_;
   const Point& place_;
-  const double scale_;
-  const Point scaled_; ///< the place
+  const RimTree* walls_;
+  HalfEdge wall_ = kNoHalfEdge; ///< the last one that a vertex was behind
   std::size_t best_ = kNone;
-  Point nearest_{ 0.0, 0.0 }; ///< the best one, scaled
-  double distance_ = std::numeric_limits<double>::infinity();
+  NearestSeen<false> seen_;
 };
+
+/// Takes out those that are in triangles, all of which loops or trim() dropped.
+bool VertexTree::leaveOutDropped(const TriangulationAccess::State& state, Ticker& ticker)
+{
+  const Tables& tables = state.tables;
+  Buffer<unsigned char> isKept;
+  isKept.allocate(state.ranked.count);
+  const auto mark = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t h = 3 * a; h != 3 * b; ++h)
+    {
+      isKept[tables.corners[h]] |= static_cast<unsigned char>(tables.isKept(h / 3));
+    }
+  };
+  Buffer<Index> all(std::move(vertices_));
+  vertices_ = Buffer<Index>();
+  std::size_t count = 0;
+  const auto counts = [&](Index v) { return isKept[v] != 0 || tables.starts[v] == kNoHalfEdge; };
+  const auto countThem = [&](std::size_t a, std::size_t b)
+  { count += std::size_t(std::count_if(all.data() + a, all.data() + b, counts)); };
+  if (!fillAll(isKept, 0, ticker) || !inChunks(0, tables.triangles(), ticker, mark) ||
+    !inChunks(0, all.size(), ticker, countThem))
+  {
+    return false;
+  }
+  vertices_.allocate(count);
+  Index* to = vertices_.data();
+  return inChunks(0, all.size(), ticker,
+    [&](std::size_t a, std::size_t b)
+    { to = std::copy_if(all.data() + a, all.data() + b, to, counts); });
+}
 
 bool VertexTree::build(const TriangulationAccess::State& state, Ticker& ticker)
 {
   places_ = state.ranked.xy.data();
-  const Bounds& all = state.ranked.bounds;
-  largest_ = std::max(sizeOf({ all.xmin, all.ymin }), sizeOf({ all.xmax, all.ymax }));
-  if (!listInserted(state, vertices_, ticker))
+  largest_ = sizeOf(state.ranked.bounds);
+  if (!listInserted(state, vertices_, ticker) ||
+    (!state.tables.flags.empty() && !leaveOutDropped(state, ticker)))
   {
     return false;
   }
   levels_.allocate(vertices_.size());
   const auto boxOf = [&](std::size_t k)
   {
-    const Point& p = places_[vertices_[k]];
+    const Point p = at(k);
     return Box::around(p, p);
   };
   return levels_.fitItems(boxOf, ticker);
 }
 
-bool VertexTree::findNearest(
-  const Point& place, std::size_t hint, Ticker& ticker, std::size_t& found) const
+/// Returns false if cancelled.
+bool VertexTree::run(Search& search, Ticker& ticker) const
 {
-  Search search(*this, place);
-  search.look(hint);
   const auto enter = [&](const Box& box)
   {
     return !ticker.step(8)        ? Levels::Way::Stop
@@ -145,12 +153,34 @@ bool VertexTree::findNearest(
   {
     for (std::size_t k = levels_.childrenBegin(0, leaf); k != levels_.childrenEnd(0, leaf); ++k)
     {
-      search.look(k);
+      if (!search.look(k, ticker))
+      {
+        return false;
+      }
     }
     return true;
   };
-  const bool isDone = levels_.visit(enter, look);
-  found = search.best();
+  return levels_.visit(enter, look);
+}
+
+bool VertexTree::findNearest(const Point& place, const RimTree& walls, std::size_t hint,
+  Ticker& ticker, std::size_t& found) const
+{
+  Search all(*this, place, nullptr);
+  HalfEdge wall = kNoHalfEdge;
+  if (!all.look(hint, ticker) || !run(all, ticker) ||
+    !walls.findWall(place, at(all.best()), ticker, wall))
+  {
+    return false;
+  }
+  found = all.best();
+  if (wall == kNoHalfEdge)
+  {
+    return true;
+  }
+  Search inFront(*this, place, &walls);
+  const bool isDone = inFront.look(hint, ticker) && run(inFront, ticker);
+  found = inFront.best();
   return isDone;
 }
 

@@ -143,6 +143,26 @@ void edgeWeights(const Point& a, const Point& b, const Point& p, double (&weight
   }
 }
 
+void footWeights(const Point& a, const Point& b, const Point& p, double (&weights)[2])
+{
+  constexpr double kFar = 0x1p40; // in lengths of the edge: 60 bits are left
+  const double scale = unitScale({ a, b });
+  if (std::max(std::fabs(0.5 * p.x - 0.5 * a.x), std::fabs(0.5 * p.y - 0.5 * a.y)) * scale < kFar)
+  {
+    const DoubleDoubleVector way = between(a, b, scale), back = between(b, a, scale);
+    const DoubleDouble square = dot(way, way);
+    weights[0] = std::max(0.0, (dot(between(b, p, scale), back) / square).value());
+    weights[1] = std::max(0.0, (dot(between(a, p, scale), way) / square).value());
+    return;
+  }
+  using namespace stages;
+  const Unit unit{ &a, &b, &p };
+  const WideVector way(unit, a, b), back(unit, b, a);
+  const auto square = dotUnbounded(way, way);
+  weights[0] = roundedQuotient(dotUnbounded(WideVector(unit, b, p), back), square, 0);
+  weights[1] = roundedQuotient(dotUnbounded(WideVector(unit, a, p), way), square, 0);
+}
+
 Point slopeIn(const Point& a, const Point& b, const Point& c, const double (&value)[3])
 {
   const double scale = unitScale({ a, b, c });

@@ -57,6 +57,10 @@ void hardWeights(
 /// are swapped.
 void edgeWeights(const Point& a, const Point& b, const Point& p, double (&weights)[2]);
 
+/// The same at the place between the ends that is nearest to p, wherever p lies.
+/// @pre it is no end.
+void footWeights(const Point& a, const Point& b, const Point& p, double (&weights)[2]);
+
 /// How much a value rises along x and y in a triangle, where it is `value` at the corners.
 /// @pre the triangle has an area.
 Point slopeIn(const Point& a, const Point& b, const Point& c, const double (&value)[3]);

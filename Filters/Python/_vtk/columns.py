@@ -174,7 +174,7 @@ class Columns:
         size = of_type if self.is_nearest else 4 if self._is_float(column) else 8
         return size * self._numbers_per_place(column)
 
-    def interpolate(self, job, places, heights, fills):
+    def interpolate(self, job, places, heights, outside):
         """Fills the columns, each by weights; the mask, a vtkCharArray. engine.EngineError, MemoryError."""
         numbers = [heights.reshape(-1, 1)] + [column.numbers(self.points) for column in self.columns[1:]]
         mask = None
@@ -191,7 +191,8 @@ class Columns:
             mask, write = new_array(self.backend.vtkCharArray, count)
             return values, slopes, write.view(numpy.uint8)
 
-        job.sample(places, numbers, method=self.values["Method"], fills=fills, gradients=self.makes_slopes, make=make)
+        method = self.values["Method"]
+        job.sample(places, numbers, method=method, outside=outside, gradients=self.makes_slopes, make=make)
         del numbers
         for column in self.columns:
             if job.count("sampled_without_value"):

@@ -136,7 +136,7 @@ class Interpolating:
         is_nearest = self.wishes["Method"] == NEAREST
         return columns.estimate_bytes(self.points, count) + self.job.sample_estimate_before(
             min(self.points, MOST_POINTS), places, 1 if is_nearest else columns.components(),
-            self.wishes["Outside"] == 1 and not is_nearest)
+            self.wishes["Outside"] != 0 and not is_nearest)
 
     def _raster(self):
         return Raster(self.cells.origin, self.cells.spacing, (self.cells.rows, self.cells.columns))
@@ -256,7 +256,7 @@ class Interpolating:
         if self.wishes["Method"] == NEAREST:
             mask, missing = columns.gather(job, places, heights)
         else:
-            mask = columns.interpolate(job, places, heights, self.wishes["Outside"] == 1)
+            mask = columns.interpolate(job, places, heights, self.wishes["Outside"])
         job.set_progress(None)
         found.counts = {part: job.count(part) for parts in table.INTERPOLATION_OF_JOB.values() for part in parts}
         if missing is not None:

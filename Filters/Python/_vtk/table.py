@@ -482,8 +482,9 @@ INTERPOLATION = (
      'points, weighted by the lengths of the common borders over the distances; similar, a little faster. '
      "Nearest: the value of the nearest point, in the array's own type. Default: LINEAR. Constraint edges and "
      'the rim end the reach of Natural Neighbor and Laplace. Nearest has values on the whole plane; of several '
-     'vertices at the same distance it takes the one with the smallest x, then y. Collinear points: linear '
-     'between neighbours on their line.',
+     'vertices at the same distance it takes the one with the smallest x, then y. It does not look across holes '
+     'and outlines: the straight line to the vertex does not leave the surface through a constraint edge that '
+     'bounds it. Collinear points: linear between neighbours on their line.',
      0, 3, ('Linear', 'NaturalNeighbor', 'Laplace', 'Nearest')),
     ("RasterSize", "enum", 0,
      'How the number of cells of the raster is set. Dimensions: by their number along x and y. Cell Size: by the '
@@ -523,9 +524,12 @@ INTERPOLATION = (
      0, 1, ('Image', 'Surface')),
     ("Outside", "enum", 0,
      'The values at places outside the surface. No Value: NaN in floating-point arrays, 0 in others. Nearest '
-     'Vertex: the values of the nearest point of the triangulation. Either way vtkValidPointMask is 0 there. '
-     'Default: NO_VALUE. NoValue replaces NaN. Counts of places outside do not depend on this.',
-     0, 1, ('NoValue', 'NearestVertex')),
+     'Vertex: the values of the nearest point of the triangulation, as with Nearest. Boundary: the values at the '
+     'nearest place of the surface, without a jump along its border. Always vtkValidPointMask is 0 there. Places '
+     'outside by no more than rounding have values like those inside. Default: NO_VALUE. NoValue replaces NaN. '
+     'Counts of places outside do not depend on this. Rounding: 16 units in the last place of the largest '
+     'coordinate of place and edge.',
+     0, 2, ('NoValue', 'NearestVertex', 'Boundary')),
     ("NoValue", "double", math.nan,
      'The number in floating-point arrays where there is no value. Integer arrays (Nearest) have 0 there. '
      'Default NaN.',
@@ -560,6 +564,7 @@ INTERPOLATION_CONSTANTS = {
     "SURFACE": 1,
     "NO_VALUE": 0,
     "NEAREST_VERTEX": 1,
+    "BOUNDARY": 2,
 }
 INTERPOLATION_MEASURES = (
     ("NumberOfTriangulations", 0,

@@ -68,6 +68,7 @@ static void test_nearest_and_rasters(void)
 {
   static const double expected[] = { 21, 17, 33, 17, 17, 17, 1, 17, 13 };
   static const double corners[] = { 21, 33, 1, 13 };
+  static const double beside[] = { 6, 18, 11, 23 };
   ahd_job* job = square_job();
   ahd_places raster = { NULL, 0, { 0.5, 3.5 }, { 1.5, -1.5 }, 3, 3 };
   double z[5], out[9];
@@ -99,6 +100,32 @@ static void test_nearest_and_rasters(void)
     CHECK(ahd_counted(job, "sampled_outside") == 4 && ahd_counted(job, "sampled_valued") == 0);
   }
   CHECK(mask[0] == 0 && mask[3] == 0 && mask[4] == 7);
+  raster.origin[1] = 1;
+  raster.spacing[1] = 1;
+  CHECK_OK(job, ahd_set_int(job, "sample_outside", AHD_OUTSIDE_BOUNDARY));
+  CHECK_OK(job, ahd_sample(job, &raster, &array, 1, mask));
+  CHECK(memcmp(out, beside, sizeof(beside)) == 0 && mask[0] == 0 && mask[3] == 0);
+  ahd_job_free(job);
+}
+
+/* Sixteen units in the last place below the square have its values, though they are outside. */
+static void test_places_at_the_rim(void)
+{
+  static const double xy[] = { 1, -0x1p-46, 1, -0x1p-46 - 0x1p-90 };
+  ahd_job* job = square_job();
+  ahd_places places = { 0 };
+  double out[4];
+  uint8_t mask[2];
+  int32_t kinds[2];
+  int64_t ids[6], cells[2];
+  ahd_sampled array = { kZ, 2, out, NULL };
+  places.xy = xy;
+  places.count = 2;
+  CHECK_OK(job, ahd_sample(job, &places, &array, 1, mask));
+  CHECK(mask[0] == 1 && mask[1] == 0 && near_to(out[0], 4) && isnan(out[2]));
+  CHECK(ahd_counted(job, "sampled_valued") == 1 && ahd_counted(job, "sampled_outside") == 1);
+  CHECK_OK(job, ahd_locate(job, xy, 2, kinds, ids, cells));
+  CHECK(kinds[0] == AHD_OUTSIDE && kinds[1] == AHD_OUTSIDE);
   ahd_job_free(job);
 }
 
@@ -268,7 +295,7 @@ static void test_refused(void)
   CHECK_SAYS(job, "gradients");
   array.gradients = NULL;
   CHECK_STATUS(job, AHD_BAD_VALUE, ahd_set_int(job, "sample_method", 4));
-  CHECK_STATUS(job, AHD_BAD_VALUE, ahd_set_int(job, "sample_outside", 2));
+  CHECK_STATUS(job, AHD_BAD_VALUE, ahd_set_int(job, "sample_outside", 3));
   places.xy = NULL;
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_sample(job, &places, &array, 1, NULL));
   raster.spacing[1] = 0;
@@ -491,6 +518,7 @@ void test_sample(void)
 {
   test_linear_functions();
   test_nearest_and_rasters();
+  test_places_at_the_rim();
   test_weights();
   test_surface();
   test_between_arrays();

@@ -61,10 +61,10 @@ struct PointsOfBlock
 class Blocks
 {
 public:
-  Blocks(const ConstraintCase& all, std::size_t blocks, FillRule rule, bool asksForNearest)
+  Blocks(const ConstraintCase& all, std::size_t blocks, FillRule rule, BlockNeeds::Also also)
     : all_(all)
     , rule_(rule)
-    , asksForNearest_(asksForNearest)
+    , also_(also)
   {
     BlocksWay way;
     way.blocks = blocks;
@@ -86,7 +86,7 @@ public:
         BlockInput input = dealt_[b].input(b, dealt_.size());
         input.constraints = all_.constraints.view();
         input.rule = rule_;
-        BlockNeeds needs(input, asksForNearest_, transport, {});
+        BlockNeeds needs(input, also_, transport, {});
         EXPECT_EQ(needs.begin(), Status::Ok);
         for (std::size_t turn = 0; turn != turns.size(); ++turn)
         {
@@ -127,7 +127,7 @@ private:
 
   const ConstraintCase& all_;
   const FillRule rule_;
-  const bool asksForNearest_;
+  const BlockNeeds::Also also_;
   std::vector<OwnPoints> dealt_;
 };
 
@@ -161,9 +161,9 @@ double valueOf(std::int64_t id)
   return std::sin(double(id * 7919 % 1000));
 }
 
-/// Compares all results at these places.
-void expectSame(
-  SampledCase& whole, PointsOfBlock& part, const SamplePlaces& places, const std::string& name)
+/// Compares all results at these places, of Nearest if `hasNearest`.
+void expectSame(SampledCase& whole, PointsOfBlock& part, const SamplePlaces& places,
+  const std::string& name, bool hasNearest)
 {
   if (part.ids.size() == whole.points.size())
   {
@@ -180,6 +180,10 @@ void expectSame(
   }
   for (const SampleMethod method : kMethods)
   {
+    if (method == SampleMethod::Nearest && !hasNearest)
+    {
+      continue;
+    }
     whole.prepare(method);
     Sampler sampler;
     ASSERT_EQ(sampler.prepare(part.engine.made, nullptr, method, {}), Status::Ok);
@@ -203,6 +207,7 @@ std::vector<Point> oddPlaces(const std::vector<Point>& points, std::uint64_t see
     places.push_back({ 0.5 * a.x + 0.5 * b.x, 0.5 * a.y + 0.5 * b.y });
     places.push_back({ a.x, b.y });
     places.push_back({ 1.5 * a.x - 0.5 * b.x, 1.5 * a.y - 0.5 * b.y });
+    places.push_back({ a.x + (a.x - b.x) * 0x1p-52, a.y + (a.y - b.y) * 0x1p-52 });
   }
   places.push_back({ kNotANumber, 0.0 });
   return places;
@@ -213,7 +218,9 @@ double expectAsOne(
   const ConstraintCase& given, FillRule rule, std::size_t blocks, const std::string& name)
 {
   SampledCase whole(given, rule);
-  const Blocks all(given, blocks, rule, true);
+  const bool hasNearest = given.constraints.view().chains == given.constraints.view().lines;
+  const Blocks all(
+    given, blocks, rule, hasNearest ? BlockNeeds::Also::Nearest : BlockNeeds::Also::Nothing);
   const Bounds box = boundsOf(whole.engine.made);
   SampleRaster raster{ { box.xmin, box.ymin },
     { (box.xmax - box.xmin) / 40.0, (box.ymax - box.ymin) / 30.0 }, 41, 31 };
@@ -232,8 +239,9 @@ double expectAsOne(
   double needed = 0.0;
   for (std::size_t b = 0; b != blocks; ++b)
   {
-    expectSame(whole, *parts[0][b], SamplePlaces(pieceOf(raster, b, blocks)), name + ", raster");
-    expectSame(whole, *parts[1][b], SamplePlaces(viewOf(own[b])), name + ", places");
+    expectSame(
+      whole, *parts[0][b], SamplePlaces(pieceOf(raster, b, blocks)), name + ", raster", hasNearest);
+    expectSame(whole, *parts[1][b], SamplePlaces(viewOf(own[b])), name + ", places", hasNearest);
     needed += double(parts[0][b]->ids.size()) / double(blocks * given.points.size());
   }
   return needed < 1.0 ? needed : 0.0;
@@ -331,13 +339,14 @@ TEST(BoxNeighbors, RegionsEndAtTheHullOfAllPoints)
     add(-0.5, t), add(0.125, t), add(0.625, t);
   }
   SampledCase whole(given, FillRule::Orientation);
-  const Blocks all(given, 1, FillRule::Orientation, false); // which has no extremes within
+  const Blocks all(
+    given, 1, FillRule::Orientation, BlockNeeds::Also::Nothing); // which has no extremes within
   const std::vector<Point> places{ { 2.3, 2.4 } };
   std::vector<Bounds> boxes;
   ASSERT_EQ(coverByBoxes(viewOf(places), 1, {}, boxes), Status::Ok);
   const auto parts = all.around({ { boxes } });
   ASSERT_LT(parts[0][0]->ids.size(), given.points.size());
-  expectSame(whole, *parts[0][0], SamplePlaces(viewOf(places)), "between arms");
+  expectSame(whole, *parts[0][0], SamplePlaces(viewOf(places)), "between arms", false);
   whole.prepare(SampleMethod::Linear);
   const std::vector<double> values(given.points.size());
   EXPECT_EQ(sample(whole.sampler, SamplePlaces(viewOf(places)), values).report.outside, 1u);

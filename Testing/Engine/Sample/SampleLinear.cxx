@@ -189,7 +189,7 @@ TEST(SampleLinear, HolesHaveNoValueTheirBorderHas)
   }
   made.prepare(SampleMethod::Linear);
   const std::vector<Point> places{ { 2, 2 }, { 2, 1 }, { 3, 3 }, { 0.5, 2 }, { 1, 2.5 }, { 5, 2 },
-    { 1.0 + 0x1p-52, 2 }, { 4, 4 }, { kNotANumber, 1 }, { 1, -HUGE_VAL } };
+    { 1.0 + 0x1p-46, 2 }, { 4, 4 }, { kNotANumber, 1 }, { 1, -HUGE_VAL } };
   const SampledValues found = sample(made.sampler, SamplePlaces(viewOf(places)), values);
   const unsigned char mask[] = { 0, 1, 1, 1, 1, 0, 0, 1, 0, 0 };
   for (std::size_t k = 0; k < places.size(); ++k)
@@ -240,7 +240,7 @@ TEST(SampleLinear, BetweenCollinearPoints)
   const std::vector<Point> points{ { 6, 12 }, { 0, 0 }, { 1, 2 }, { 3, 6 } };
   const std::vector<double> values{ 4.0, 1.0, 3.0, kNotANumber };
   const std::vector<Point> places{ { 0, 0 }, { 0.25, 0.5 }, { 1, 2 }, { 2, 4 }, { 6, 12 },
-    { 7, 14 }, { -1, -2 }, { 0.5, 0.5 }, { 0.25, 0.5 + 0x1p-52 }, { 3, 6 } };
+    { 7, 14 }, { -1, -2 }, { 0.5, 0.5 }, { 0.25, 0.5 + 0x1p-44 }, { 3, 6 } };
   for (const SampleMethod method :
     { SampleMethod::Linear, SampleMethod::NaturalNeighbor, SampleMethod::Laplace })
   {

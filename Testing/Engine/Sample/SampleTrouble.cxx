@@ -381,7 +381,7 @@ TEST(SampleTrouble, TakesNoMoreMemoryThanEstimated)
         const std::size_t taken = bytesTaken(given, method, places, values);
         const std::size_t estimate = sampleMemoryEstimate(given.points.size(), places, 1);
         EXPECT_LE(taken, estimate) << int(method);
-        EXPECT_GE(4 * taken, estimate) << int(method);
+        EXPECT_GE(6 * taken, estimate) << int(method) << ": most have a short rim";
       }
     }
   }

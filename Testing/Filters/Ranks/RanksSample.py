@@ -33,7 +33,7 @@ WISHES = [
     ({"Method": NATURAL, "RasterSize": 1, "CellSize": None}, False),
     ({"Method": NEAREST, "OutputType": 1}, False),
     ({"Method": LINEAR, "Outside": 1, "GenerateGradients": True}, True),
-    ({"Method": LAPLACE}, True),
+    ({"Method": LAPLACE, "Outside": 2}, True),
     ({"Method": NEAREST}, True),
 ]
 

@@ -98,16 +98,16 @@ QUESTIONS.update((name, lambda job, name=name: [job.array(name)]) for name in li
                  if not name.startswith("weight"))  # fmt: skip
 
 
-def sampled(job, method, fills):
+def sampled(job, method, outside):
     values = np.sin(np.arange(job.count("points") * 2.0)).reshape(-1, 2)
-    found = job.sample(PLACES, [values], method=method, fills=fills, gradients=method == library.SAMPLE_LINEAR)
+    found = job.sample(PLACES, [values], method=method, outside=outside, gradients=method == library.SAMPLE_LINEAR)
     return [*found.values, *(slope for slope in found.gradients if slope is not None), found.mask]
 
 
 for method in range(4):
-    for fills in (False, True):
-        QUESTIONS["sampled %d %d" % (method, fills)] = (
-            lambda job, method=method, fills=fills: sampled(job, method, fills))  # fmt: skip
+    for outside in range(3):
+        QUESTIONS["sampled %d %d" % (method, outside)] = (
+            lambda job, method=method, outside=outside: sampled(job, method, outside))  # fmt: skip
 
 
 def answer(job, question):

@@ -122,7 +122,7 @@ def hash_of_samples(points, cells=40):
             hashed.vector(mask)
             add_sampled(hashed, job)
             hashed.add(OK)
-            add_numbers(hashed, job.sample(at, [values], method=method, fills=True).values[0])
+            add_numbers(hashed, job.sample(at, [values], method=method, outside=1).values[0])
         job.sample_weights(places, method)
         hashed.add(OK)
         for name in ("weight_offsets", "weight_points"):

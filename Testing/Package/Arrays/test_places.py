@@ -10,7 +10,7 @@ import numpy as np
 from adaptivehilbertdelaunay import (
     LinearInterpolator, NaturalNeighborInterpolator, NearestInterpolator, delaunay,
 )  # fmt: skip
-from arraysupport import cloud
+from arraysupport import SQUARE, cloud
 
 
 class PlacesTest(unittest.TestCase):
@@ -45,12 +45,29 @@ class PlacesTest(unittest.TestCase):
         made = delaunay(points)
         for outside in ([1, 2], np.array([1.0]), None, 1j):
             for at in (points,) if outside is not None else (points, [[9.0, 9.0]]):
-                with self.assertRaisesRegex(TypeError, "outside must be a number or 'nearest'"):
+                with self.assertRaisesRegex(TypeError, "outside must be a number, 'nearest' or 'boundary'"):
                     made.interpolate(points[:, 0], at, outside=outside)
             with self.assertRaisesRegex(TypeError, "fill_value must be a number"):
                 LinearInterpolator(points, points[:, 0], outside)
         self.assertEqual(made.interpolate(points[:, 0] + 0j, [9, 9], outside=1j), 1j)
         self.assertEqual(made.interpolate(points[:, 0], [9, 9], outside=np.float32(2)), 2)
+
+    def test_the_rim(self):
+        turn = np.radians(10)
+        turned = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
+        at, zero, grid = np.arange(50) + 0.5, np.zeros(50), np.indices((51, 51)).reshape(2, -1).T.astype(float)
+        middles = [np.c_[at, zero], np.c_[at, zero + 50], np.c_[zero, at], np.c_[zero + 50, at]]
+        points, places = grid @ turned, np.concatenate(middles) @ turned
+        for rim in ("convex_hull", "trimmed"):
+            made = delaunay(points, rim=rim)
+            for method in ("linear", "natural", "laplace"):
+                np.testing.assert_allclose(made.interpolate(points[:, 0], places, method), places[:, 0], atol=1e-12)
+            self.assertTrue((made.locate(places).triangle < 0).any(), "it is about the triangulation")
+
+    def test_nearest_does_not_look_across_a_hole(self):
+        points = np.concatenate((SQUARE[:4], [[1.9, 1], [2, 1], [2, 3], [1.9, 3], [2.1, 2]]))
+        made = delaunay(points, loops=[[0, 1, 2, 3], [4, 5, 6, 7]])
+        self.assertEqual(made.interpolate(np.arange(9.0), [[1.8, 1.99], [2.05, 2]], "nearest").tolist(), [4, 8])
 
     def test_places_of_interpolators(self):
         points = cloud(1, 100)

@@ -142,6 +142,8 @@ class SurfaceTest(unittest.TestCase):
             self.assertEqual(nearest[1], 2.0)
             self.assertEqual(nearest[0], found[0])
             self.assertTrue(np.isnan(nearest[2:]).all())
+            boundary = made.interpolate(values, [[2, 2], [9, 3], [np.nan, 1]], method, outside="boundary")
+            np.testing.assert_allclose(boundary, [found[0], 1.75, np.nan])
         self.assertEqual(made.interpolate(values, places, "nearest", outside=-9)[1:].tolist(), [2, -9, -9])
 
     def test_holes_and_limits(self):

@@ -119,6 +119,11 @@ def filled_beyond_the_surface():
 
 
 @case
+def its_border_beyond_the_surface():
+    return full(), dict(SMALL, UseBounds=True, Bounds=(-500.0, 700.0, -300.0, 2000.0), Outside=2)
+
+
+@case
 def nowhere_on_the_surface():
     return full(), dict(SMALL, UseBounds=True, Bounds=(2000.0, 3000.0, 0.0, 1.0))
 

@@ -95,6 +95,9 @@ class RasterTest(Case):
         filled = slope().adaptive.to_raster(5.0, bounds=bounds, outside="nearest")
         self.assertTrue(numpy.isfinite(filled["Elevation"]).all())
         self.assertTrue(numpy.array_equal(filled["vtkValidPointMask"] == 1, mask))
+        along = slope().adaptive.to_raster(5.0, bounds=bounds, outside="boundary")
+        rows = along["Elevation"].reshape(20, 40)
+        self.assertTrue((rows[:, :10] == rows[:, :1]).all() and (rows[:, 30:] == rows[:, -1:]).all())
         with self.warns("surface"):
             slope().adaptive.to_raster(5.0, bounds=(200, 300, 0, 100))
 
@@ -169,7 +172,8 @@ class RasterTest(Case):
                 (ValueError, area + " not (0, 1, 1, 1)", {"cell_size": 1.0, "bounds": (0, 1, 1, 1)}),
                 (ValueError, "method='cubic': it is one of 'linear', 'natural', 'laplace', 'nearest'",
                  {"cell_size": 1.0, "method": "cubic"}),
-                (ValueError, "outside='far': it is one of 'none', 'nearest'", {"cell_size": 1.0, "outside": "far"}),
+                (ValueError, "outside='far': it is one of 'none', 'nearest', 'boundary'",
+                 {"cell_size": 1.0, "outside": "far"}),
                 (TypeError, "elevation must be a name, a str, not None", {"cell_size": 1.0, "elevation": None}),
                 (ValueError, "threads must be from 0 to 1024, not -1", {"cell_size": 1.0, "threads": -1}),
                 (ValueError, "memory_limit must be from 0 to 9223372036854775807, not -1",

@@ -61,7 +61,7 @@ ROWS = [
     ("to_raster", dict(cell_size=1, method="cubic"), ValueError,
      "method='cubic': it is one of 'linear', 'natural', 'laplace', 'nearest'"),
     ("to_raster", dict(cell_size=1, outside="far"), ValueError,
-     "outside='far': it is one of 'none', 'nearest'"),
+     "outside='far': it is one of 'none', 'nearest', 'boundary'"),
     ("voronoi_2d", dict(clip="box"), ValueError, "clip='box': it is one of 'hull', 'bounds'"),
     ("sample", dict(places=pyvista.MultiBlock([MESH])), TypeError,
      "places are one mesh or an array, not a MultiBlock: its combine() is one mesh"),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SampleOracle.h"
 
+#include "ExactSigns.h"
+
 #include <gmpxx.h>
 
 #include <algorithm>
@@ -150,6 +152,34 @@ private:
 namespace
 {
 
+/// The place of an edge that is nearest to a place.
+struct Foot
+{
+  Foot(const Point& a, const Point& b, const Point& place)
+  {
+    const Vector way = between(a, b), to = between(a, place);
+    part = dot(to, way) / dot(way, way);
+    part = part < 0 ? Number(0) : part > 1 ? Number(1) : part;
+    const Vector left{ to.x - part * way.x, to.y - part * way.y };
+    squared = dot(left, left);
+  }
+  Number part;    ///< of the way from a to b
+  Number squared; ///< distance
+};
+
+bool isWithinRounding(const Point& a, const Point& b, const Point& place)
+{
+  double largest = 0.0;
+  for (const double c : { a.x, a.y, b.x, b.y, place.x, place.y })
+  {
+    largest = std::max(largest, std::fabs(c));
+  }
+  const double next = std::nextafter(largest, HUGE_VAL);
+  const Number unit = std::isfinite(next) ? Number(next) - Number(largest)
+                                          : Number(largest) - Number(std::nextafter(largest, 0.0));
+  return Foot(a, b, place).squared <= 256 * unit * unit;
+}
+
 std::vector<Vector> seenFrom(const Point& place, const std::vector<Point>& points)
 {
   std::vector<Vector> result;
@@ -199,7 +229,59 @@ PointWeights SampleOracle::linear(const Point& place) const
       return normalised(parts);
     }
   }
-  return {};
+  const auto edges = rim();
+  return std::any_of(edges.begin(), edges.end(),
+           [&](const auto& edge)
+           { return isWithinRounding(points_[edge.first], points_[edge.second], place); })
+    ? atRim(place)
+    : PointWeights();
+}
+
+/// Edges, counterclockwise, of one triangle alone.
+std::vector<std::pair<std::size_t, std::size_t>> SampleOracle::rim() const
+{
+  std::set<std::pair<std::size_t, std::size_t>> edges;
+  for (std::size_t h = 0; h < triples_.size(); ++h)
+  {
+    edges.emplace(std::size_t(triples_[h]), std::size_t(triples_[h % 3 == 2 ? h - 2 : h + 1]));
+  }
+  std::vector<std::pair<std::size_t, std::size_t>> result;
+  for (const auto& edge : edges)
+  {
+    if (edges.count({ edge.second, edge.first }) == 0)
+    {
+      result.push_back(edge);
+    }
+  }
+  return result;
+}
+
+PointWeights SampleOracle::atRim(const Point& place) const
+{
+  const auto isFirst = [](const Point& a, const Point& b, const Point& c, const Point& d)
+  { return a == c ? lexicographicallyLess(b, d) : lexicographicallyLess(a, c); };
+  PointWeights result;
+  Number least(-1);
+  Point best[2] = {};
+  for (auto edge : rim())
+  {
+    if (lexicographicallyLess(points_[edge.second], points_[edge.first]))
+    {
+      std::swap(edge.first, edge.second);
+    }
+    const Point &a = points_[edge.first], &b = points_[edge.second];
+    const Foot foot(a, b, place);
+    if (least < 0 || foot.squared < least ||
+      (foot.squared == least && isFirst(a, b, best[0], best[1])))
+    {
+      least = foot.squared;
+      best[0] = a;
+      best[1] = b;
+      result = normalised({ { std::int64_t(edge.first), Number(1 - foot.part) },
+        { std::int64_t(edge.second), foot.part } });
+    }
+  }
+  return result;
 }
 
 /// Is there no cell around the place: outside, on a point or on the hull? Then `weights` are those
@@ -279,6 +361,35 @@ PointWeights SampleOracle::nearest(const Point& place) const
     }
   }
   return points_.empty() ? PointWeights() : PointWeights{ { std::int64_t(best), 1.0 } };
+}
+
+PointWeights SampleOracle::nearestInFront(const Point& place) const
+{
+  const auto edges = rim();
+  PointWeights best;
+  for (const std::int32_t id : std::set<std::int32_t>(triples_.begin(), triples_.end()))
+  {
+    const Point& v = points_[std::size_t(id)];
+    const bool isBehind = std::any_of(edges.begin(), edges.end(),
+      [&](const auto& edge)
+      {
+        const Point &a = points_[edge.first], &b = points_[edge.second];
+        return orientSign(a, b, place) >= 0 && orientSign(a, b, v) < 0 &&
+          orientSign(place, v, a) * orientSign(place, v, b) < 0;
+      });
+    if (isBehind)
+    {
+      continue;
+    }
+    const Point& w = best.empty() ? v : points_[std::size_t(best.begin()->first)];
+    const Vector toV = between(place, v), toW = between(place, w);
+    const Number less = dot(toW, toW) - dot(toV, toV);
+    if (best.empty() || less > 0 || (less == 0 && lexicographicallyLess(v, w)))
+    {
+      best = { { id, 1.0 } };
+    }
+  }
+  return best;
 }
 
 } // namespace test

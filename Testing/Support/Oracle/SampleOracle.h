@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace ahd
@@ -29,8 +30,14 @@ public:
   {
   }
 
-  /// Areas within the triangle that has the place in it or on its border.
+  /// Areas within the triangle that has the place in it or on its border; atRim() of one that is
+  /// outside by no more than 16 units in the last place of the largest coordinate of an edge and
+  /// it.
   PointWeights linear(const Point& place) const;
+
+  /// Of the ends of the edge with a triangle on one side alone that is nearest to the place, where
+  /// it is nearest; of several edges the one whose ends come first.
+  PointWeights atRim(const Point& place) const;
 
   /// Sibson's: the area that the cell of the place takes from the Voronoi cells. Laplace's: the
   /// length of the border of cells over the distance. @pre the triangles are all of a Delaunay
@@ -41,8 +48,13 @@ public:
   /// Of several the lexicographically smallest; of several at one place the smallest id.
   PointWeights nearest(const Point& place) const;
 
+  /// The same among corners of the triangles that the straight way to does not leave these
+  /// through an edge with a triangle on one side alone.
+  PointWeights nearestInFront(const Point& place) const;
+
 private:
   struct Cells;
+  std::vector<std::pair<std::size_t, std::size_t>> rim() const;
   bool isOnHull(const Point& place, PointWeights& weights) const;
 
   const std::vector<Point>& points_;
