@@ -137,6 +137,13 @@ def test_slope_and_aspect():
             is_near(slope, math.degrees(math.atan(5)), 1e-5, "slope")
             is_near(aspect, math.degrees(math.atan2(-3, 4)), 1e-5, "aspect")
     check(sum(m[0] for m in mask) > 300, "hardly a cell has a slope")
+    made = recipes.slope_and_aspect(recipes.survey(2000), 5.0)
+    steepest = []
+    for rim in ("Convex Hull", "Trimmed"):
+        made.Input.Input.Rim = rim
+        _, tuples = fetched(made)
+        steepest.append(max(slope for (slope,) in tuples("Slope") if slope == slope))
+    check(steepest[1] < 0.8 * steepest[0], "slivers along the rim are steep: %r" % steepest)
 
 
 def test_drape():

@@ -64,7 +64,7 @@ def change(before, after, bounds, size=2.0):
 
 def slope_and_aspect(points, size=2.0):
     """Arrays Slope, degrees from level, and Aspect, the compass bearing of downhill, in degrees."""
-    terrain = dem(points, size, GenerateGradients=1)
+    terrain = dem(points, size, GenerateGradients=1, Rim="Trimmed")
     slope = simple.Calculator(
         Input=terrain, ResultArrayName="Slope",
         Function="57.29577951308232*atan(sqrt(ElevationGradient_X^2 + ElevationGradient_Y^2))")  # fmt: skip
