@@ -56,7 +56,7 @@ public:
 
   bool isCertainlyNearer(double squared) const
   {
-    return !isAny_ || (!isRounded && squared + kGuard < distance_ * (1.0 - kSame));
+    return !isRounded ? squared + kGuard < distance_ * (1.0 - kSame) : !isAny_;
   }
 
   /// Is a scaled place certainly farther? Seen from afar, squared distances are all the same up to
@@ -80,7 +80,7 @@ public:
     const double y = std::fabs(c.y - p.y) + std::fabs(q.y - p.y);
     const double size = std::fabs(c.x - q.x) * x + std::fabs(c.y - q.y) * y;
     const double wrong = isRounded ? 4.0 * error_ * (x + y + error_) : 0.0;
-    return isAny_ && more > kRounding * size + wrong + kGuard;
+    return more > kRounding * size + wrong + kGuard && isAny_;
   }
 
   bool isFarther(const Box& b) const

@@ -37,6 +37,8 @@ public:
   /// dropped. Returns false if cancelled, as all below; throws std::bad_alloc.
   bool build(const SampledSurface& surface, const VertexLine& line, Edges which, Ticker& ticker);
 
+  bool empty() const { return edges_.empty(); }
+
   // For several threads at once. @pre build(); a finite place.
 
   /// The place nearest to one that an edge isWithin(roundingAt()) of; else none.

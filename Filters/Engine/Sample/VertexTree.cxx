@@ -12,6 +12,7 @@ namespace ahd
 {
 
 /// One call of findNearest(). With walls no vertex counts that is behind one.
+template <bool hasWalls>
 class VertexTree::Search
 {
 public:
@@ -32,7 +33,7 @@ public:
     if (seen_.isCertainlyNearer(d) || (!seen_.isFarther(c, d) && isBefore(p)))
     {
       bool counts = true;
-      if (walls_ && !isInFront(p, ticker, counts))
+      if (hasWalls && !isInFront(p, ticker, counts))
       {
         return false;
       }
@@ -45,7 +46,10 @@ public:
     return true;
   }
 
-  bool mayHaveNearer(const Box& b) const { return !seen_.isFarther(b) && !isBehind(b); }
+  bool mayHaveNearer(const Box& b) const
+  {
+    return !seen_.isFarther(b) && !(hasWalls && isBehind(b));
+  }
 
   std::size_t best() const { return best_; }
 
@@ -88,7 +92,7 @@ private:
   const RimTree* walls_;
   HalfEdge wall_ = kNoHalfEdge; ///< the last one that a vertex was behind
   std::size_t best_ = kNone;
-  NearestSeen<false> seen_;
+  NearestSeen<false> seen_; ///< infinitely far at first
 };
 
 /// Takes out those that are in triangles, all of which loops or trim() dropped.
@@ -141,7 +145,8 @@ bool VertexTree::build(const TriangulationAccess::State& state, Ticker& ticker)
 }
 
 /// Returns false if cancelled.
-bool VertexTree::run(Search& search, Ticker& ticker) const
+template <bool hasWalls>
+bool VertexTree::run(Search<hasWalls>& search, Ticker& ticker) const
 {
   const auto enter = [&](const Box& box)
   {
@@ -166,10 +171,10 @@ bool VertexTree::run(Search& search, Ticker& ticker) const
 bool VertexTree::findNearest(const Point& place, const RimTree& walls, std::size_t hint,
   Ticker& ticker, std::size_t& found) const
 {
-  Search all(*this, place, nullptr);
+  Search<false> all(*this, place, nullptr);
   HalfEdge wall = kNoHalfEdge;
   if (!all.look(hint, ticker) || !run(all, ticker) ||
-    !walls.findWall(place, at(all.best()), ticker, wall))
+    (!walls.empty() && !walls.findWall(place, at(all.best()), ticker, wall)))
   {
     return false;
   }
@@ -178,7 +183,7 @@ bool VertexTree::findNearest(const Point& place, const RimTree& walls, std::size
   {
     return true;
   }
-  Search inFront(*this, place, &walls);
+  Search<true> inFront(*this, place, &walls);
   const bool isDone = inFront.look(hint, ticker) && run(inFront, ticker);
   found = inFront.best();
   return isDone;

@@ -38,12 +38,14 @@ public:
   Index vertex(std::size_t k) const { return vertices_[k]; }
 
 private:
+  template <bool hasWalls>
   class Search;
   using Levels = BoxLevels<8, 8>;
 
   const Point& at(std::size_t k) const { return places_[vertices_[k]]; }
   bool leaveOutDropped(const TriangulationAccess::State& state, Ticker& ticker);
-  bool run(Search& search, Ticker& ticker) const;
+  template <bool hasWalls>
+  bool run(Search<hasWalls>& search, Ticker& ticker) const;
 
   const Point* places_ = nullptr;
   Buffer<Index> vertices_;
