@@ -54,6 +54,8 @@ def read(file, rows):
             raise ValueError(f"[{name}]: fields are of, type, help, and perhaps {', '.join(sorted(known))}")
         found.append(Array(name=name, **said))
         found[-1].check(settings)
+    for keyword in tables.twice([array.keyword for array in found if array.keyword]):
+        raise ValueError(f"{file}: two rows have the keyword {keyword}")
     return found
 
 

@@ -60,9 +60,11 @@ class Setting:
             raise ValueError(f"[{self.name}]: there is no type {self.type}")
         if None in self.ends:
             raise ValueError(f"[{self.name}]: no least or most")
-        for names in (self.names, self.mesh_names):
-            if names and len(names) != self.ends[1] + 1:
-                raise ValueError(f"[{self.name}]: {len(names)} names for 0 to {self.ends[1]}")
+        for names, default in ((self.names, self.keyword_default), (self.mesh_names, self.mesh_default)):
+            if names and len(set(names)) != self.ends[1] + 1:
+                raise ValueError(f"[{self.name}]: {len(set(names))} names for 0 to {self.ends[1]}")
+            if default is not None and not self.ends[0] <= default <= self.ends[1]:
+                raise ValueError(f"[{self.name}]: the default {default} is not from {self.ends[0]} to {self.ends[1]}")
         for wrong, text in ((bool(self.keyword) != bool(self.about), "about: of keywords, and each has it"),
                             (self.keyword and not self.of_filter, "a keyword has a setting of the filter's"),
                             (self.mesh and self.mesh not in doors.GROUPS, f"mesh is one of {doors.GROUPS}"),
@@ -84,7 +86,11 @@ def read(file, rows):
     missing = {row.job for row in of_filter if row.job} - table.keys()
     if missing:
         raise ValueError(f"[{min(missing)}]: no row in {file}, and a setting has that job")
-    return [_setting(name, said, of_filter) for name, said in table.items()]
+    found = [_setting(name, said, of_filter) for name, said in table.items()]
+    for door in (doors.of_numpy, doors.of_mesh):
+        for keyword in tables.twice([one.name for one in door(found)]):
+            raise ValueError(f"{file}: two rows have the keyword {keyword}")
+    return found
 
 
 def _setting(name, said, of_filter):

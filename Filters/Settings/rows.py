@@ -119,7 +119,9 @@ class Row:
             for value in _as_list(getattr(self, name)):
                 yield value is not None and type(value) is not kind, f"{name} is no {kind.__name__}"
         yield self.default is None, "no default"
-        yield self.values and not 0 <= self.default < len(self.values), "default is no value"
+        for name in ("default", "on_surface"):
+            value = getattr(self, name)
+            yield self.values and value is not None and not 0 <= value < len(self.values), f"{name} is no value"
         if isinstance(self.default, list):
             yield self.elements not in VECTORS or kind not in (int, float), "no list of so many of these"
             yield kind is float and not all(map(math.isfinite, self.default)), "default is not finite"
@@ -226,7 +228,15 @@ def read(file, within=()):
             rows += [_row(below, name, more) for below, more in said.items()]
     rows = [more for row in rows for more in (_exposed(within, row.group) if row.type == "exposed" else [row])]
     _check_names(rows)
+    hidden = [row for row in within if row.exposed and row.name not in [one.name for one in rows]]
+    if hidden:
+        raise ValueError(f"[{hidden[0].name}]: exposed, but {file} has no [{hidden[0].group}.Triangulation]")
     return rows
+
+
+def twice(names):
+    """Those that are there more than once."""
+    return sorted({name for name in names if names.count(name) > 1})
 
 
 def _exposed(within, group):

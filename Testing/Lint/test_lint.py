@@ -162,7 +162,6 @@ class ComplaintsTest(unittest.TestCase):
             shutil.copy(lint.ROOT / name, self.root / name)
         return settings
 
-    @unittest.skipIf(sys.version_info < (3, 11), "the tables are TOML")
     def test_version(self):
         def complaints(number, recipe, *sections):
             self.write("CMakeLists.txt", f"# x\nproject(A VERSION {number} LANGUAGES C)\n")
@@ -178,6 +177,7 @@ class ComplaintsTest(unittest.TestCase):
         self.assertIn("1.0.0 is not 1.1.0", complaints("1.0.0", "1.0.0", "1.1.0", "1.0.0")[0])
         self.assertIn("not in order", complaints("1.2.0", "1.2.0", "Next", "1.0.0", "1.1.0")[0])
 
+    @unittest.skipIf(sys.version_info < (3, 11), "the tables are TOML")
     def test_made(self):
         """A row changed by hand in a generated file, or in its table without generating the files."""
         settings = self.copy_settings()
@@ -243,6 +243,26 @@ class ComplaintsTest(unittest.TestCase):
             said = lint.check_made(self.root)
             self.assertTrue(len(said) == 1 and complaint in said[0], said)
             other.write_text(its_rows, encoding="utf-8")
+
+    @unittest.skipIf(sys.version_info < (3, 11), "the tables are TOML")
+    def test_rows_that_others_contradict(self):
+        settings = self.copy_settings()
+        for name, old, new, complaint in (
+                ("interpolation", '[Outline.Triangulation]\ntype = "exposed"', "", "[MaximumEdgeLength]: exposed, but"),
+                ("delaunay", 'job = "rim"\non_surface = 1', 'job = "rim"\non_surface = 3', "on_surface is no value"),
+                ("job", "keyword_default = 1", "keyword_default = 2", "the default 2 is not from 0 to 1"),
+                ("job", "mesh_default = 1", "mesh_default = 2", "the default 2 is not from 0 to 1"),
+                ("job", 'names = ["own", "surface"]', 'names = ["own", "own"]', "1 names for 0 to 1"),
+                ("job", 'keyword = "nmax"', 'keyword = "rim"', "two rows have the keyword rim"),
+                ("job", 'mesh_keyword = "tol"', 'mesh_keyword = "rim"', "two rows have the keyword rim"),
+                ("arrays", 'keyword = "rank"', 'keyword = "status"', "two rows have the keyword status")):
+            table = self.root / settings / f"{name}.toml"
+            rows = table.read_text(encoding="utf-8")
+            self.assertEqual(rows.count(old), 1, old)
+            table.write_text(rows.replace(old, new), encoding="utf-8")
+            said = lint.check_made(self.root)
+            self.assertTrue(len(said) == 1 and complaint in said[0], said)
+            table.write_text(rows, encoding="utf-8")
 
     def test_shell(self):
         self.need("shellcheck")
