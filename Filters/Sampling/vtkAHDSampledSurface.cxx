@@ -259,7 +259,8 @@ ahd::UninitialisedVector<double> vtkAHDSampledSurface::MakeHeights(
   heights.resize(this->GetPoints().points().count);
   context.Check(ahd::findHeights(
     this->GetPoints(), this->GetTriangulation(), showsMeans, context, heights.data()));
-  context.Check(this->GetTriangulation().makeCorners(context)); // reads places that were given up
+  // reads places that were given up
+  context.Check(this->GetTriangulation().makeNumbersAndCorners(context));
   return heights;
 }
 

@@ -158,7 +158,7 @@ const Sampler& Sampling::prepare(
     ready.is = false;
     const unsigned char* const kept = made_.isSelected() ? made_.selection.kept.data() : nullptr;
     // In one go, before the caller, who may change its memory then, hears of progress.
-    check(made_.triangulation.makeCorners({ nullptr, context.executor }));
+    check(made_.triangulation.makeNumbersAndCorners({ nullptr, context.executor }));
     check(ready.sampler.prepare(made_.triangulation, kept, method, context));
     ready.is = kept_.hasTables = true;
     ready.method = method;

@@ -76,6 +76,22 @@ Status Triangulation::makeCorners(const Context& context)
     });
 }
 
+Status Triangulation::makeNumbersAndCorners(const Context& context)
+{
+  if (!state_)
+  {
+    return Status::Ok;
+  }
+  const Status status = unlessCancelled(
+    [&]
+    {
+      Ticker ticker(context.progress, Phase::Outputs, state_->allTriangles,
+        state_->worthItsWhile(context.executor));
+      return state_->hasCorners || state_->makeNumbers(ticker);
+    });
+  return status == Status::Ok ? makeCorners(context) : status;
+}
+
 Status Triangulation::makeNeighbors(const Context& context)
 {
   if (!state_ || (state_->hasNeighbors && !state_->arePlacesGone))

@@ -113,6 +113,9 @@ public:
   /// Corners, constraint edges, which triangles are kept: 24 bytes a point, 10 more with
   /// constraints; 16 more where the vertices' places have to be read again.
   Status makeCorners(const Context& context);
+  /// The same before makeNeighbors(): with the numbers, which that needs, so that triangles are
+  /// sorted once, not twice.
+  Status makeNumbersAndCorners(const Context& context);
   /// Neighbours, and a half-edge from each vertex: 36 bytes a point. Makes the corners too.
   Status makeNeighbors(const Context& context);
   /// The vertex of each point: 4 bytes a point.

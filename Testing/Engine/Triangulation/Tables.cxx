@@ -342,6 +342,30 @@ TEST(Tables, NumbersFirstSaveWork)
   EXPECT_LT(asked[1] + points.size() / kStepsPerAsking, asked[0]);
 }
 
+/// Corners before the neighbours: no more work than the neighbours at once.
+TEST(Tables, NumbersAndCornersFirstCostNothing)
+{
+  const std::vector<Point> points = makePoints(Distribution::Uniform, reduced(100000), 1);
+  std::size_t asked[2];
+  for (const bool cornersFirst : { false, true })
+  {
+    Engine engine;
+    ASSERT_EQ(engine.run(viewOf(points)), Status::Ok);
+    Asked progress;
+    const Context context{ &progress, nullptr };
+    if (cornersFirst)
+    {
+      ASSERT_EQ(engine.made.makeNumbersAndCorners(context), Status::Ok);
+      EXPECT_GT(progress.times, 0u);
+      EXPECT_EQ(engine.made.triangleCount(), keptTriples(engine.made).size() / 3);
+    }
+    ASSERT_EQ(engine.made.makeNeighbors(context), Status::Ok);
+    expectTwins(engine.made);
+    asked[cornersFirst ? 1 : 0] = progress.times;
+  }
+  EXPECT_LT(asked[1], asked[0] + points.size() / kStepsPerAsking);
+}
+
 TEST(Tables, CanBeMadeAfterAnyWantOfMemory)
 {
   const std::vector<Point> points = hubs(100);
