@@ -66,7 +66,7 @@ struct Stance
 };
 
 /// `upright`: how far the plane's normal points up, from 0 to 1; `flatness`: the thickness of the
-/// points beside the width of the plane.
+/// points beside the width of the plane, 1 for points on a line.
 Stance stanceOf(
   const Footprint& footprint, const CellLevels& levels, double upright, double flatness);
 

@@ -221,7 +221,8 @@ bool PlaneFitting::Work::lookAtLevels(Ticker& ticker)
     Vector3 d;
     for (std::size_t k = 0; k < 3; ++k)
     {
-      d[k] = (p[k] * perUnit.first - scales[k].origin * perUnit.first) * perUnit.second - mean[k];
+      // The difference is exact; either alone may be too large for the factor.
+      d[k] = (p[k] - scales[k].origin) * perUnit.first * perUnit.second - mean[k];
     }
     part.add(footprint.cell(d, bitsAcross), footprint.level(d));
   };
@@ -322,7 +323,7 @@ void PlaneFitting::Work::choosePlane()
   const Spread spread = spreadOf(matrix);
   fit_.normal = chooseNormal(spread);
   upright_ = std::fabs(fit_.normal[2]);
-  flatness_ = spread.deviation(2) / spread.deviation(1);
+  flatness_ = isLine(spread, 3) ? 1.0 : spread.deviation(2) / spread.deviation(1);
   findFootprint(matrix);
   const PowerOfTwo unit = powerOfTwo(unit_);
   fit_.shrink = std::max({ magnitude(0), magnitude(1), magnitude(2) }) > 0x1p1000 ? 0x1p-32 : 1.0;

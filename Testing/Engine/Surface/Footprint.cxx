@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfloat>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -251,6 +252,42 @@ TEST(Footprint, PointsWithoutPlaceDoNotCount)
     EXPECT_FALSE(fit(std::vector<Xyz>(n, { { 1, 2, 3 } })).stance().isWall);
   }
   EXPECT_FALSE(fit({ { { 1, 2, 3 } }, { { 1, 2, 4 } }, { { 1, 2, 9 } } }).stance().isWall);
+}
+
+/// Their width and thickness are rounding, whose ratio says nothing.
+TEST(Footprint, CollinearPointsAreNoWall)
+{
+  for (const Xyz& step : { Xyz{ { 0.1, 0.03, 0.7 } }, Xyz{ { 1, 2, 5 } }, Xyz{ { 1, 0, 9 } } })
+  {
+    std::vector<Xyz> points = { { { 0.3, 0.7, 0 } } };
+    for (std::size_t n = 2; n < 10; ++n)
+    {
+      const Xyz last = points.back();
+      points.push_back({ { last[0] + step[0], last[1] + step[1], last[2] + step[2] } });
+      EXPECT_FALSE(fit(points).stance().isWall) << n;
+      EXPECT_FALSE(fit(points).stance().isSteep) << n;
+    }
+  }
+}
+
+/// A huge coordinate that all have is no distance.
+TEST(Footprint, ACoordinateOfAllHasNoSay)
+{
+  for (const double far : { 0.0, -1e300, DBL_MAX })
+  {
+    for (const double size : { 1e-3, 1e-40, 1e-290 })
+    {
+      std::vector<Xyz> wall, profile;
+      for (std::size_t i = 0; i < 100; ++i)
+      {
+        const double y = double(i % 10), z = double(i / 10);
+        wall.push_back({ { far, size * y, size * z } });
+        profile.push_back({ { far, size * double(i), size * (0.02 * double(i * i) + z) } });
+      }
+      EXPECT_TRUE(fit(wall).stance().isWall) << far << " " << size;
+      EXPECT_FALSE(fit(profile).stance().isWall) << far << " " << size;
+    }
+  }
 }
 
 // --- The spread within cells
