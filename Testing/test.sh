@@ -17,7 +17,7 @@ help() {
 Installs missing packages (Debian 12, 13 or testing, as root or with sudo; untested on systems made from
 Debian or Ubuntu), builds everything in build/, and runs the tests through CTest: on Debian 12 and 13 first
 those of the VTK filter with Debian's own VTK (9.1, 9.3), unpacked in build/vtk91 or build/vtk93; then all of
-them with ParaView and its VTK, which in testing is Debian's own. A first run takes half an hour on two cores.
+them with ParaView and its VTK, which in testing is Debian's own. A first run takes 25 minutes on two cores.
 
 --long         also the long tests (label: long)
 --fast         for the change in hand: builds and runs the quick tests of the engine, the filter and the
