@@ -4,8 +4,10 @@
 // give, and, where there are several ranks, whether any of them has to execute.
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 
+#include "Execution/vtkAHDExecution.h"
 #include "Execution/vtkAHDOutputCache.h"
 #include "Pipeline/vtkAHDPieces.h"
+#include "Pipeline/vtkAHDSay.h"
 #include "Ranks/vtkAHDRankUpdates.h"
 
 #include "vtkDataObject.h"
@@ -15,6 +17,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <cstddef>
+#include <new>
 
 #if VTK_MODULE_ENABLE_VTK_ParallelCore
 #include "vtkMultiProcessController.h"
@@ -121,13 +124,34 @@ int vtkAdaptiveHilbertDelaunay2D::FillOutputPortInformation(int port, vtkInforma
   return result;
 }
 
+/// What VTK keeps of a request takes memory, too.
 vtkTypeBool vtkAdaptiveHilbertDelaunay2D::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (this->IsDistributed() && request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  try
   {
-    this->MakeOutputs(vtkDataObject::GetData(inputs[0]), outputs);
-    return 1;
+    if (this->IsDistributed() && request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+    {
+      this->MakeOutputs(vtkDataObject::GetData(inputs[0]), outputs);
+      return 1;
+    }
+    return this->Superclass::ProcessRequest(request, inputs, outputs);
   }
-  return this->Superclass::ProcessRequest(request, inputs, outputs);
+  catch (const std::bad_alloc&)
+  {
+    vtkAHDSayOutOfMemory("vtkAdaptiveHilbertDelaunay2D",
+      [&]
+      {
+        this->Modified(); // or VTK takes the outputs for those of the last execution
+        for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+        {
+          if (vtkDataObject* const output = vtkDataObject::GetData(outputs, port))
+          {
+            output->Initialize();
+          }
+        }
+        this->EndWithoutMemory(vtkAHDDataSets());
+      });
+    return 0;
+  }
 }

@@ -187,6 +187,31 @@ int vtkAdaptiveHilbertInterpolation2D::RequestDataObject(
   return 1;
 }
 
+/// What VTK keeps of a request takes memory, too.
+vtkTypeBool vtkAdaptiveHilbertInterpolation2D::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  try
+  {
+    return this->Superclass::ProcessRequest(request, inputs, outputs);
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkAHDSayOutOfMemory("vtkAdaptiveHilbertInterpolation2D",
+      [&]
+      {
+        this->ClearCounts();
+        this->Modified(); // or VTK takes the output for that of the last execution
+        if (vtkDataObject* const output = vtkDataObject::GetData(outputs))
+        {
+          output->Initialize();
+        }
+        this->SayOutOfMemory();
+      });
+    return 0;
+  }
+}
+
 void vtkAdaptiveHilbertInterpolation2D::ReadSettings(
   vtkAHDSettings& settings, vtkAHDSampleSettings& wishes) const
 {
@@ -224,38 +249,31 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
     this->Updates->Settle();
     return result;
   }
-  this->WarnAboutRanks();
   this->MustDescribeAnew = false;
+  const bool isRaster = inputs[1]->GetNumberOfInformationObjects() == 0;
+  const bool isBehind = isRaster && vtkAHDHasFiltersBehind(info);
   bool isDone = false;
-  if (!this->Triangulation)
+  try
   {
-    vtkAHDSay(this, ahd::Topic::Refusal, { { "triangulation_is_null", true } });
+    // Observers have the output, too: all is made in one of its own, and handed on in the end.
+    const auto made = vtkSmartPointer<vtkDataObject>::Take(output->NewInstance());
+    made->ShallowCopy(output);
+    isDone = this->Execute(inputs, info, made);
+    output->ShallowCopy(made);
+    if (isDone && isBehind && this->MustDescribeAnew)
+    {
+      this->WarnOfOtherRaster();
+    }
   }
-  else
+  catch (const std::bad_alloc&)
   {
-    try
-    {
-      // Observers have the output, too: all is made in one of its own, and handed on in the end.
-      const auto made = vtkSmartPointer<vtkDataObject>::Take(output->NewInstance());
-      made->ShallowCopy(output);
-      isDone = this->Execute(inputs, info, made);
-      output->ShallowCopy(made);
-    }
-    catch (const std::bad_alloc&)
-    {
-      this->SayOutOfMemory();
-    }
+    isDone = false;
+    this->SayOutOfMemory();
   }
   if (!isDone)
   {
     output->Initialize();
     this->ClearCounts();
-  }
-  const bool isRaster = inputs[1]->GetNumberOfInformationObjects() == 0;
-  const bool isBehind = isRaster && vtkAHDHasFiltersBehind(info);
-  if (isBehind && this->MustDescribeAnew)
-  {
-    this->WarnOfOtherRaster();
   }
   return !isBehind || vtkAHDHasAllThatIsWanted(output, info)
     ? 1
@@ -290,9 +308,13 @@ int vtkAdaptiveHilbertInterpolation2D::EndWithOtherRaster(bool isDone, vtkDataOb
   this->MustDescribeAnew = true; // VTK takes the output for that of the last time that did not fail
   if (isDone)
   {
-    vtkErrorMacro("The points have other bounds at this time, so the raster differs from the "
-                  "one announced to downstream filters, and lacks cells that they request. Update "
-                  "again, or set UseBounds to have one raster at all times.");
+    vtkAHDSayOutOfMemory("vtkAdaptiveHilbertInterpolation2D",
+      [this]
+      {
+        vtkErrorMacro("The points have other bounds at this time, so the raster differs from the "
+                      "one announced to downstream filters, and lacks cells that they request. "
+                      "Update again, or set UseBounds to have one raster at all times.");
+      });
     output->Initialize();
     this->ClearCounts();
   }
@@ -304,6 +326,12 @@ bool vtkAdaptiveHilbertInterpolation2D::Execute(
 {
   vtkAHDProgress progress(this);
   const vtkSmartPointer<vtkAdaptiveHilbertDelaunay2D> triangulation = this->Triangulation;
+  if (!triangulation)
+  {
+    vtkAHDSay(this, ahd::Topic::Refusal, { { "triangulation_is_null", true } });
+    return false;
+  }
+  this->WarnAboutRanks();
   ahd::Threads threads(vtkAHDThreadsToUse(triangulation->GetNumberOfThreads()));
   vtkAHDOutputMemory notKept;
   const vtkAHDContext context(progress, threads, notKept);

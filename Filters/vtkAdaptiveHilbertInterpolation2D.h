@@ -116,6 +116,10 @@ public:
   int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
     vtkInformationVector* outputs, int requestFromOutputPort, vtkMTimeType* mtime) override;
 
+  /// The superclass', without exceptions where memory runs out.
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
 protected:
   vtkAdaptiveHilbertInterpolation2D();
   ~vtkAdaptiveHilbertInterpolation2D() override;

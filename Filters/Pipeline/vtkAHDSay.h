@@ -28,8 +28,8 @@ inline bool vtkAHDSay(vtkAlgorithm* filter, ahd::Topic topic, const ahd::Facts& 
   return !said.empty();
 }
 
-/// Calls say(), which reports for the filter that memory ran out. If there is no memory for that
-/// either, writes a line to the standard error; throws nothing.
+/// Calls say(), which reports an error after which the output is empty, as where memory ran out. If
+/// there is no memory for that, writes a line to the standard error; throws nothing.
 template <typename Say>
 void vtkAHDSayOutOfMemory(const char* filter, const Say& say)
 {

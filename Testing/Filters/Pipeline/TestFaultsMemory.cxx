@@ -7,8 +7,12 @@
 #include "FeatureTestSupport.h"
 
 #include "vtkAdaptiveHilbertInterpolation2D.h"
+#include "vtkDataSet.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPlanarPointSource.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <gtest/gtest.h>
 
@@ -313,6 +317,109 @@ TEST(FaultsMemory, TheInterpolationOnASurfaceSurvivesToo)
   filter->GetTriangulation()->SetProjectionPlaneMode(VTK_BEST_FITTING_PLANE);
   filter->SetDimensions(20, 10);
   expectInterpolationSurvives(filter, said, true, false);
+}
+
+namespace
+{
+/// A filter whose memory runs out in any request of an update; before the data also VTK's.
+template <typename Algorithm>
+class FaultyRequests : public Algorithm
+{
+public:
+  static FaultyRequests* New() { VTK_STANDARD_NEW_BODY(FaultyRequests); }
+
+  std::size_t FailAt = 0; ///< the number of the allocation that fails, of all requests; 0: none
+  bool AndAllLater = false;
+  std::size_t Asked = 0; ///< allocations of all requests
+  bool Threw = false;
+  bool Refused = false; ///< did a request fail before the data?
+
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override
+  {
+    using Pipeline = vtkStreamingDemandDrivenPipeline;
+    const bool isBefore = request->Has(Pipeline::REQUEST_INFORMATION()) ||
+      request->Has(Pipeline::REQUEST_UPDATE_EXTENT());
+    const bool isDue = this->FailAt > this->Asked;
+    const bool isPast = this->FailAt > 0 && this->AndAllLater && !isDue;
+    memory::begin(
+      isDue ? this->FailAt - this->Asked : std::size_t(isPast), this->AndAllLater, isBefore);
+    int result = 0;
+    try
+    {
+      result = this->Algorithm::ProcessRequest(request, in, out);
+    }
+    catch (const std::bad_alloc&)
+    {
+      this->Threw = true;
+    }
+    this->Asked += memory::end();
+    this->Refused = this->Refused || (isBefore && !result);
+    return result;
+  }
+};
+
+/// Fails at each allocation of the first update of a filter, as later ones find what VTK keeps of
+/// the requests.
+template <typename Algorithm, typename SetUp>
+void expectFirstUpdateSurvives(const SetUp& setUp, bool andAllLater)
+{
+  std::size_t refused = 0, all = 0;
+  vtkIdType whole = 0;
+  for (std::size_t k = 0; k <= all; ++k)
+  {
+    SCOPED_TRACE(k);
+    vtkNew<FaultyRequests<Algorithm>> filter;
+    vtkNew<Messages> said, pipelineSaid;
+    said->Watch(filter);
+    pipelineSaid->Watch(filter->GetExecutive());
+    setUp(filter.Get());
+    filter->FailAt = k;
+    filter->AndAllLater = andAllLater;
+    filter->Update();
+    const auto points = [&filter]
+    { return vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints(); };
+    all = k == 0 ? filter->Asked : all;
+    whole = k == 0 ? points() : whole;
+    EXPECT_FALSE(filter->Threw);
+    EXPECT_LE(said->Errors.size(), 1u);
+    EXPECT_TRUE(points() == whole || points() == 0);
+    if (filter->Refused)
+    {
+      ++refused;
+      EXPECT_TRUE(andAllLater || said->Errors.size() == 1);
+      EXPECT_TRUE(said->Errors.empty() || said->Errors[0].find("emory") != std::string::npos);
+      filter->FailAt = 0;
+      if (andAllLater)
+      {
+        filter->Modified(); // VTK went on to the data, whose failure was told
+      }
+      filter->Update();
+      EXPECT_EQ(points(), whole);
+    }
+  }
+  EXPECT_GT(refused, 0u) << "nothing was tested";
+}
+}
+
+TEST(FaultsMemory, RequestsBeforeTheDataSurviveToo)
+{
+  vtkNew<vtkImageData> places;
+  places->SetDimensions(3, 2, 1);
+  for (const bool andAllLater : { false, true })
+  {
+    expectFirstUpdateSurvives<vtkAdaptiveHilbertDelaunay2D>([](vtkAdaptiveHilbertDelaunay2D* filter)
+      { filter->SetInputData(cloudWithAll(10)); },
+      andAllLater);
+    expectFirstUpdateSurvives<vtkAdaptiveHilbertInterpolation2D>(
+      [&places](vtkAdaptiveHilbertInterpolation2D* filter)
+      {
+        filter->SetInputData(cloudWithAll(10));
+        filter->SetPlacesData(places);
+        filter->SetTriangulation(nullptr); // told with the data
+      },
+      andAllLater);
+  }
 }
 
 TEST(FaultsMemory, NoPlaneWhereThereIsNoMemory)

@@ -158,3 +158,21 @@ TEST(Ranks, WhileTheyMoveWhatTheyHaveNoPhaseRuns)
     EXPECT_EQ(seconds, 0.0);
   }
 }
+
+TEST(Ranks, AnInterpolationWithoutATriangulationIsAnErrorThereToo)
+{
+  vtkNew<Pretended> communicator;
+  communicator->Be(0, 3);
+  vtkNew<vtkDummyController> controller;
+  controller->SetCommunicator(communicator);
+  vtkMultiProcessController::SetGlobalController(controller);
+  vtkNew<vtkAdaptiveHilbertInterpolation2D> filter;
+  vtkNew<Messages> said;
+  said->Watch(filter);
+  filter->SetInputData(makeCloud(latticePoints(100, 1000)));
+  filter->SetTriangulation(nullptr);
+  filter->Update();
+  vtkMultiProcessController::SetGlobalController(nullptr);
+  ASSERT_EQ(said->Errors.size(), 1u);
+  EXPECT_NE(said->Errors[0].find("Triangulation is null"), std::string::npos) << said->Errors[0];
+}

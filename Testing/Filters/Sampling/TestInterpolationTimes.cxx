@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -152,6 +153,44 @@ public:
 };
 
 /// VTK's list of consumers keeps those that were deleted while they were connected.
+/// There is no memory to tell an observer.
+class Unheard : public vtkCommand
+{
+public:
+  static Unheard* New() { return new Unheard; }
+  void Execute(vtkObject*, unsigned long, void*) override
+  {
+    ++this->Times;
+    throw std::bad_alloc();
+  }
+  int Times = 0;
+};
+
+TEST(InterpolationTimes, AnotherPlaceThatCannotBeSaidIsAnError)
+{
+  vtkNew<Moving> moving;
+  moving->Begin = 5.0;
+  vtkNew<vtkAdaptiveHilbertInterpolation2D> filter;
+  vtkNew<Unheard> unheard;
+  vtkNew<Messages> said, pipelineSaid;
+  vtkNew<Behind> behind;
+  filter->SetInputConnection(moving->GetOutputPort());
+  behind->SetInputConnection(filter->GetOutputPort());
+  behind->UpdateTimeStep(0.0);
+  filter->AddObserver(vtkCommand::WarningEvent, unheard);
+  filter->AddObserver(vtkCommand::ErrorEvent, said);
+  pipelineSaid->Watch(filter->GetExecutive());
+  EXPECT_NO_THROW(behind->UpdateTimeStep(1.0));
+  EXPECT_EQ(unheard->Times, 1);
+  ASSERT_EQ(said->Errors.size(), 1u);
+  EXPECT_NE(said->Errors[0].find("emory"), std::string::npos) << said->Errors[0];
+  EXPECT_EQ(behind->Executed, 1) << "on an empty image";
+  EXPECT_EQ(filter->GetNumberOfPlaces(), 0);
+  behind->Update();
+  EXPECT_EQ(behind->Executed, 2);
+  EXPECT_TRUE(behind->HadItsPlace);
+}
+
 TEST(InterpolationTimes, FiltersBehindThatWereDeleted)
 {
   for (const bool isAnotherThere : { false, true })

@@ -15,7 +15,9 @@ namespace ahdtest
 namespace memory
 {
 /// The allocation of this number fails, from 1; 0: none. With `andAllLater` those after it, too.
-void begin(std::size_t failAt, bool andAllLater);
+/// `ofVtk`: those of operator new in VTK count and fail as well. For what makes none of its
+/// objects.
+void begin(std::size_t failAt, bool andAllLater, bool ofVtk = false);
 /// The number of allocations since.
 std::size_t count();
 /// Returns the number of allocations.
