@@ -140,8 +140,8 @@ constexpr Row kRows[] = {
     "to the points." },
   { Topic::Triangulation, "limits keep none", "kept_triangles !cells",
     "The output is empty: {size_limits} keep none of {kept_triangles} "
-    "{kept_triangles?triangle|triangles}, no line and no vertex. Larger values keep more, and 0 is "
-    "no limit." },
+    "{kept_triangles?triangle|triangles}, no line and no vertex. Less strict limits keep more, and "
+    "0 is no limit." },
   { Topic::Triangulation, "emptied by loops", "may_be_emptied_by_loops",
     "There is no triangle, because {the_loops} keep none (see {fill_rule}), or all distinct points "
     "are collinear." },
