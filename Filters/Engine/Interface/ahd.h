@@ -367,8 +367,8 @@ AHD_API ahd_status ahd_choose_plane(ahd_job* job, int64_t* plane);
  *   points_off_surface  of the source, outside the triangulation of the input
  *   is_projected        0, 1: the plane is not that of x, y
  *   steep_plane         0, 1: with AHD_PLANE_BEST_FIT, it is steeper than 80 degrees, and the
- *                       points are no wall: z is a function of x, y, or they are 16 times as
- *                       high as long
+ *                       points are no wall: z is a function of x, y, in a narrow footprint of the
+ *                       place along it, or they are 16 times as high as long
  *   on_one_line         0, 1: there are no triangles and all points are on one line in space
  *   stacked             0, 1: most points are above or below another one
  *   boxes               of the grid, with want_boxes

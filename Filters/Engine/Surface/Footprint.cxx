@@ -18,16 +18,16 @@ std::size_t partOf(double number, double reach, int bits)
   return static_cast<std::size_t>(std::min(std::max(at, 0.0), parts - 1.0));
 }
 
-/// With cells twice as long, and twice as wide where there are several side by side.
-CellLevels merged(const CellLevels& levels, int bitsAcross)
+/// With cells that have so many bits less.
+CellLevels merged(const CellLevels& levels, int bitsAcross, int lessAlong, int lessAcross)
 {
   CellLevels larger;
-  const int less = bitsAcross > 0 ? 1 : 0;
   for (std::size_t cell = 0; cell < levels.count.size(); ++cell)
   {
     const std::size_t along = cell >> bitsAcross;
     const std::size_t across = cell - (along << bitsAcross);
-    const std::size_t to = (along / 2 << (bitsAcross - less)) + (across >> less);
+    const std::size_t to = (along >> lessAlong << (bitsAcross - lessAcross)) +
+      (across >> lessAcross);
     larger.count[to] += levels.count[cell];
     larger.sum[to] += levels.sum[cell];
     larger.squares[to] += levels.squares[cell];
@@ -116,8 +116,9 @@ double spreadWithin(CellLevels levels, int bitsAcross)
   }
   while (2.0 * sharing(levels) < count)
   {
-    levels = merged(levels, bitsAcross);
-    bitsAcross = std::max(0, bitsAcross - 1);
+    const int less = std::min(bitsAcross, 1);
+    levels = merged(levels, bitsAcross, 1, less);
+    bitsAcross -= less;
   }
   double within = 0.0, free = 0.0;
   for (std::size_t cell = 0; cell < levels.count.size(); ++cell)
@@ -134,12 +135,16 @@ Stance stanceOf(
 {
   constexpr double kVerySteep = 0.17364817766693035; // the sine of ten degrees
   const bool isLine = footprint.width == 0.0;
-  const bool isFunction = spreadWithin(levels, footprint.bitsAcross()) <= 0.25;
+  const bool isNarrow = 4.0 * footprint.width < footprint.length;
+  const int bits = footprint.bitsAcross();
+  const bool isFunction = spreadWithin(levels, bits) <= 0.25;
+  const bool isProfile = spreadWithin(merged(levels, bits, 0, bits), 0) <= 0.25;
   const bool isTall = footprint.height > 16.0 * footprint.length;
   Stance stance;
-  stance.isWall = upright < Stance::kSteep && 4.0 * footprint.width < footprint.length &&
-    !isFunction && 2.0 * flatness < 1.0 && !isTall && (isLine || !isCluster(levels));
-  stance.isSteep = upright < kVerySteep && !stance.isWall && !isLine && (isFunction || isTall);
+  stance.isWall = upright < Stance::kSteep && isNarrow && !isFunction && 2.0 * flatness < 1.0 &&
+    !isTall && (isLine || !isCluster(levels));
+  stance.isSteep = upright < kVerySteep && !stance.isWall && !isLine &&
+    (isTall || (isNarrow ? isProfile : isFunction));
   return stance;
 }
 

@@ -61,7 +61,8 @@ struct Stance
   /// - Few cells do not hold most of the points, as of a cluster and points far away.
   bool isWall = false;
   /// Else: is the fitted plane steeper than 80 degrees, where x and y tell points apart? Then z is
-  /// a function of them, or higher than 16 times the length.
+  /// a function of them, in a narrow footprint of the place along it, or higher than 16 times the
+  /// length. (Along a smooth wall that leans, z is a function of the place across alone.)
   bool isSteep = false;
 };
 

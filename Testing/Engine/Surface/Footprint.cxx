@@ -83,6 +83,10 @@ std::vector<Case> broadCases()
       [](double s, double t, double, Size) {
         return Xyz{ { 245 + 3 * s, 25 + 2 * t, 2000 * std::sin(5 * s) * std::cos(4 * t) } };
       } },
+    { "shallow soundings in degrees", Expected::XyAndToldIfFitted, 20000,
+      [](double s, double t, double, Size) {
+        return Xyz{ { 245 + 3 * s, 25 + 2 * t, 10 * std::sin(5 * s) * std::cos(4 * t) } };
+      } },
     { "a track in degrees", Expected::XyAndToldIfFitted, 600,
       [](double s, double t, double, Size) {
         return Xyz{ { 245 + 3 * s, 25 + s + 0.05 * t, 2000 * std::sin(5 * s) } };
@@ -162,6 +166,8 @@ std::vector<Case> narrowCases()
       [](double s, double, double u, Size) { return face(s, u, 0.6, 0); } },
     { "a rock face that leans", Expected::Wall, 20000,
       [](double s, double, double u, Size) { return face(s, u, 0.5, 0.2); } },
+    { "a smooth wall that leans", Expected::Xy, 5000,
+      [](double s, double, double u, Size) { return face(s, u, 0.01, 0.1); } },
     { "a pole", Expected::XyAndToldIfFitted, 500,
       [](double s, double t, double u, Size) {
         return Xyz{ { 0.1 * s, 0.1 * t, 30 * u } };
