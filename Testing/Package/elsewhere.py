@@ -27,7 +27,7 @@ def tell(file, *arguments):
     """Runs a file of tests as a program; each skipped test is printed in a line."""
 
     def skipped(result, test, reason):
-        print("SKIPPED %s: %s" % (test.id().replace("__main__.", ""), reason), flush=True)
+        print("\nSKIPPED %s: %s" % (test.id().replace("__main__.", ""), reason), flush=True)
         add_skip(result, test, reason)
 
     add_skip = unittest.TextTestResult.addSkip
