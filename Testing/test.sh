@@ -113,7 +113,7 @@ chmod 700 "$XDG_RUNTIME_DIR"
 
 # The builds with each VTK, pip's and that of a project around this one compile the engine with the same options: once.
 settings=(BUILD_TESTING=ON AHD_WRAP_PYTHON=ON Python3_EXECUTABLE=/usr/bin/python3 "AHD_LONG_TESTS=$long"
-  "AHD_ENGINE_LAUNCHER=env;CCACHE_DIR=$build/ccache;CCACHE_DEPEND=1;ccache")
+  "AHD_ENGINE_LAUNCHER=env;CCACHE_DIR=$build/ccache;CCACHE_DEPEND=1;CCACHE_SLOPPINESS=locale;ccache")
 # the version is in the name of the package with the libraries
 version=$(packages_to vtk "$release" | grep -o 'libvtk9\.[0-9]*' | head -n 1)
 version=${version#libvtk}
