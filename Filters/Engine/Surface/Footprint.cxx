@@ -13,7 +13,7 @@ namespace
 /// The part of 2^bits equal ones in which a number lies, from -reach to reach.
 std::size_t partOf(double number, double reach, int bits)
 {
-  const double parts = std::ldexp(1.0, bits);
+  const double parts = double(std::size_t(1) << bits);
   const double at = (number / reach + 1.0) / 2.0 * parts;
   return static_cast<std::size_t>(std::min(std::max(at, 0.0), parts - 1.0));
 }
