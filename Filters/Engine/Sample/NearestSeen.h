@@ -17,7 +17,8 @@ inline double sizeOf(const Point& p)
   return std::max(std::fabs(p.x), std::fabs(p.y));
 }
 
-inline double sizeOf(const Bounds& all)
+template <typename Rectangle>
+double sizeOf(const Rectangle& all)
 {
   return std::max(sizeOf(Point{ all.xmin, all.ymin }), sizeOf(Point{ all.xmax, all.ymax }));
 }
@@ -29,12 +30,12 @@ template <bool isRounded>
 class NearestSeen
 {
 public:
-  /// `largest`: coordinate of all things. If `isRounded`, each coordinate of where they are may be
-  /// wrong by kError of that, and on a line by what changes its squared distance by less.
+  /// `largest`: coordinate of all things. If `isRounded`, the coordinates of where one is may be
+  /// wrong, each by kError of a size that is given, and on a line by what changes its squared
+  /// distance by less.
   NearestSeen(const Point& place, double largest)
     : scale_(scaleOf(std::max(sizeOf(place), largest)))
     , place_(scaled(place))
-    , error_(kError * (largest * scale_))
   {
   }
 
@@ -46,10 +47,15 @@ public:
     return (c.x - place_.x) * (c.x - place_.x) + (c.y - place_.y) * (c.y - place_.y);
   }
 
+  /// A scaled place so far away, and how far the nearest one is.
+  Point beside(double distance) const { return { place_.x + distance, place_.y }; }
+  double distance() const { return std::sqrt(distance_); }
+
   /// Now it is this one, at its scaled place.
-  void take(const Point& c)
+  void take(const Point& c, double size = 0.0)
   {
     isAny_ = true;
+    size_ = size;
     nearest_ = c;
     distance_ = squaredDistance(c);
   }
@@ -66,7 +72,7 @@ public:
   /// y, of (c - q) ((c - p) + (q - p)). That has six roundings at most, each of no more than u of
   /// the sum of |c - q| (|c - p| + |q - p|). Where both coordinates of c and q may be wrong by e,
   /// squared distances are by less than 3 e (|c - p| + |q - p|) + 4 e^2, lengths summed over x, y.
-  bool isFarther(const Point& c, double squared) const
+  bool isFarther(const Point& c, double squared, double sizeOfC = 0.0) const
   {
     if (!isRounded && squared > distance_ * (1.0 + kSame) + kGuard)
     {
@@ -79,7 +85,8 @@ public:
     const double x = std::fabs(c.x - p.x) + std::fabs(q.x - p.x);
     const double y = std::fabs(c.y - p.y) + std::fabs(q.y - p.y);
     const double size = std::fabs(c.x - q.x) * x + std::fabs(c.y - q.y) * y;
-    const double wrong = isRounded ? 4.0 * error_ * (x + y + error_) : 0.0;
+    const double error = isRounded ? kError * (std::max(size_, sizeOfC) * scale_) : 0.0;
+    const double wrong = isRounded ? 4.0 * error * (x + y + error) : 0.0;
     return more > kRounding * size + wrong + kGuard && isAny_;
   }
 
@@ -108,8 +115,8 @@ private:
   }
 
   double scale_;
-  Point place_; ///< scaled, as all below
-  double error_;
+  Point place_;       ///< scaled, as all below
+  double size_ = 0.0; ///< not scaled; 0 if it is not rounded
   bool isAny_ = false;
   Point nearest_{ 0.0, 0.0 };
   double distance_ = std::numeric_limits<double>::infinity(); ///< squared

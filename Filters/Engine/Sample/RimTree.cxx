@@ -144,10 +144,10 @@ bool RimTree::isNearer(const RimPlace& one, const RimPlace& other, const Point& 
 namespace
 {
 
-/// Grown to all sides by what is more than a rounding there.
-Box grown(const Box& b, double rounding)
+/// Grown to all sides by more than a rounding where no coordinate of it or `other` is larger.
+Box grownFor(const Box& other, const Box& b)
 {
-  const double by = 2.0 * rounding; // sums round, too
+  const double by = 2.0 * roundingAt(std::max(sizeOf(b), sizeOf(other))); // sums round, too
   Box box;
   box.xmin = b.xmin - by;
   box.xmax = b.xmax + by;
@@ -156,57 +156,65 @@ Box grown(const Box& b, double rounding)
   return box;
 }
 
+/// Is a box on one side of the line through a and b?
+bool isBeside(const Box& box, const Point& a, const Point& b)
+{
+  const bool rises = (a.x < b.x) == (a.y < b.y); // the corners farthest to either side
+  const Point left{ box.xmin, rises ? box.ymax : box.ymin };
+  const Point right{ box.xmax, rises ? box.ymin : box.ymax };
+  const int side = orient2d(a, b, left);
+  return side != 0 && side == orient2d(a, b, right);
+}
+
 } // namespace
+
+/// look(item, segment, grown), until it returns false, for edges whose boxes meet this one when it
+/// is grown by more than a rounding there: one far point makes it large for its own edges alone.
+template <typename Look>
+bool RimTree::forNear(const Box& box, Ticker& ticker, const Look& look) const
+{
+  const auto enter = [&](const Box& b)
+  {
+    return !ticker.step()         ? Levels::Way::Stop
+      : grownFor(b, box).meets(b) ? Levels::Way::In
+                                  : Levels::Way::Past;
+  };
+  return levels_.visit(enter,
+    [&](std::size_t leaf)
+    {
+      for (std::size_t k = levels_.childrenBegin(0, leaf); k != levels_.childrenEnd(0, leaf); ++k)
+      {
+        const Segment s = segmentOf(edges_[k]);
+        const Box ofEdge = Box::around(s.left, s.right), grown = grownFor(ofEdge, box);
+        if (grown.meets(ofEdge) && (!ticker.step(kStepsOfEdge) || !look(k, s, grown)))
+        {
+          return false;
+        }
+      }
+      return true;
+    });
+}
 
 bool RimTree::mayBeNear(const Box& box, Ticker& ticker, bool& isNear) const
 {
   isNear = false;
-  const double size = std::max(
-    { largest_, sizeOf(Point{ box.xmin, box.ymin }), sizeOf(Point{ box.xmax, box.ymax }) });
-  const Box around = grown(box, roundingAt(size));
-  bool isCancelled = false;
-  const auto enter = [&](const Box& b)
-  {
-    isCancelled = !ticker.step();
-    return isCancelled ? Levels::Way::Stop : around.meets(b) ? Levels::Way::In : Levels::Way::Past;
-  };
-  levels_.visit(enter, [&](std::size_t) { return !(isNear = true); });
-  return !isCancelled;
+  const auto look = [&isNear](std::size_t, const Segment& s, const Box& grown)
+  { return !(isNear = !isBeside(grown, s.left, s.right)); };
+  return forNear(box, ticker, look) || isNear;
 }
 
 bool RimTree::findWithinRounding(const Point& place, Ticker& ticker, RimPlace& found) const
 {
   found = RimPlace();
-  const Box around = grown(
-    Box::around(place, place), roundingAt(std::max(largest_, sizeOf(place))));
   bool isWithinAny = false;
-  const auto enter = [&](const Box& b)
+  std::size_t hint = 0;
+  const auto look = [&](std::size_t item, const Segment& s, const Box&)
   {
-    return !ticker.step() ? Levels::Way::Stop
-      : around.meets(b)   ? Levels::Way::In
-                          : Levels::Way::Past;
+    hint = item;
+    return !(isWithinAny = isWithin(s, roundingAt(s, place), place));
   };
-  const auto look = [&](std::size_t leaf)
-  {
-    for (std::size_t k = levels_.childrenBegin(0, leaf); k != levels_.childrenEnd(0, leaf); ++k)
-    {
-      if (!around.meets(boxOf(edges_[k])))
-      {
-        continue;
-      }
-      if (!ticker.step(kStepsOfEdge))
-      {
-        return false;
-      }
-      const RimPlace one = placeOn(k, place);
-      isWithinAny = isWithinAny || isWithin(one.segment, roundingAt(one.segment, place), place);
-      found = isNearer(one, found, place) ? one : found;
-    }
-    return true;
-  };
-  const bool isDone = levels_.visit(enter, look);
-  found.is = found.is && isWithinAny;
-  return isDone;
+  return forNear(Box::around(place, place), ticker, look) ||
+    (isWithinAny && findNearest(place, hint, ticker, found));
 }
 
 /// One call of findNearest().
@@ -224,11 +232,13 @@ public:
   {
     const RimPlace one = tree_.placeOn(item, place_);
     const Point foot = footOf(one);
-    if (!best_.is || (!seen_.isFarther(foot, 0.0) && isNearer(one, best_, place_)))
+    const double size = std::max(sizeOf(one.segment.left), sizeOf(one.segment.right));
+    const double rounded = one.part == NearestPart::Inside ? size : 0.0;
+    if (!best_.is || (!seen_.isFarther(foot, 0.0, rounded) && isNearer(one, best_, place_)))
     {
       best_ = one;
       item_ = item;
-      seen_.take(foot);
+      seen_.take(foot, rounded);
     }
   }
 
@@ -305,9 +315,9 @@ bool RimTree::findWall(const Point& from, const Point& to, Ticker& ticker, HalfE
   const Box around = Box::around(from, to);
   const auto enter = [&](const Box& b)
   {
-    return !ticker.step() ? Levels::Way::Stop
-      : around.meets(b)   ? Levels::Way::In
-                          : Levels::Way::Past;
+    return !ticker.step()                         ? Levels::Way::Stop
+      : around.meets(b) && !isBeside(b, from, to) ? Levels::Way::In
+                                                  : Levels::Way::Past;
   };
   const auto look = [&](std::size_t leaf)
   {

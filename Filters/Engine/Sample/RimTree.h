@@ -47,7 +47,7 @@ public:
   /// The nearest place; none without edges. `hint`: an item to begin with, and the one found.
   bool findNearest(const Point& place, std::size_t& hint, Ticker& ticker, RimPlace& found) const;
 
-  /// May findWithinRounding() have any for places in this box? @pre finite.
+  /// May findWithinRounding() have any for places in this box? @pre coordinates below 2^1000.
   bool mayBeNear(const Box& box, Ticker& ticker, bool& isNear) const;
 
   /// A wall that the straight way from one place to another leaves the surface through, whatever it
@@ -65,6 +65,8 @@ private:
   bool forEachEdge(Ticker& ticker, const Use& use) const;
   template <typename Use>
   bool forHull(Ticker& ticker, const Use& use) const;
+  template <typename Look>
+  bool forNear(const Box& box, Ticker& ticker, const Look& look) const;
   Segment segmentOf(HalfEdge edge) const;
   Box boxOf(HalfEdge edge) const;
   static bool isNearer(const RimPlace& one, const RimPlace& other, const Point& place);

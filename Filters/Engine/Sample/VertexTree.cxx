@@ -46,6 +46,12 @@ public:
     return true;
   }
 
+  /// Until one is found, only those are looked at that are not farther than this, scaled. @pre none
+  void limit(double distance) { seen_.take(seen_.beside(distance)); }
+
+  double distance() const { return seen_.distance(); }
+  bool hasFound() const { return best_ != kNone; }
+
   bool mayHaveNearer(const Box& b) const
   {
     return !seen_.isFarther(b) && !(hasWalls && isBehind(b));
@@ -58,6 +64,10 @@ private:
 
   bool isBefore(const Point& p) const
   {
+    if (!hasFound())
+    {
+      return true;
+    }
     const Point q = tree_.at(best_);
     const int nearer = nearerOf(p, q, place_);
     return nearer > 0 || (nearer == 0 && lexicographicallyLess(p, q));
@@ -183,10 +193,19 @@ bool VertexTree::findNearest(const Point& place, const RimTree& walls, std::size
   {
     return true;
   }
+  // Hidden ones do not end the search: each must be asked about, so the nearer ones come first.
   Search<true> inFront(*this, place, &walls);
-  const bool isDone = inFront.look(hint, ticker) && run(inFront, ticker);
+  constexpr double kLeast = 0x1p-280; // squares of less are the same
+  for (double reach = std::max(kLeast, 2.0 * all.distance()); !inFront.hasFound(); reach *= 2.0)
+  {
+    inFront.limit(reach);
+    if (!inFront.look(hint, ticker) || !run(inFront, ticker))
+    {
+      return false;
+    }
+  }
   found = inFront.best();
-  return isDone;
+  return true;
 }
 
 } // namespace ahd

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Places outside of the surface get the values of the nearest vertex: all of them and no others, in
-// blocks, with threads; cancelled, and without memory. This program's operator new counts.
+// blocks, with threads; cancelled, and without memory. This program's operator new counts. What is
+// asked about a rim is little, by counting polls.
 #include "Executors.h"
 #include "Listeners.h"
 #include "OwnMemory.h"
@@ -177,6 +178,71 @@ TEST(SampleOutside, TheEstimateIsKept)
     EXPECT_LE(taken, estimate) << side;
     EXPECT_LE(estimate, 2 * taken + 65536) << side;
   }
+}
+
+/// A quadrilateral, one corner of which may be far away, with a round hole.
+ConstraintCase roundHole(double far, std::size_t count)
+{
+  ConstraintCase given;
+  given.points = { { -3, -3 }, { far, -3 }, { 3, 3 }, { -3, 3 } };
+  given.constraints.addLoop({ 0, 1, 2, 3 });
+  std::vector<std::int64_t> hole;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const double angle = 2.0 * std::acos(-1.0) * double(k) / double(count);
+    hole.push_back(std::int64_t(given.points.size()));
+    given.points.push_back({ std::cos(angle), std::sin(angle) });
+  }
+  given.constraints.addLoop(hole);
+  return given;
+}
+
+/// Polls of values at places in [-1, 1] x [-1, 1], of 8192 steps each.
+std::size_t pollsOf(SampledCase& given, SampleMethod method, std::size_t count)
+{
+  given.prepare(method);
+  Random random(9);
+  std::vector<Point> places;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    places.push_back({ 2.0 * random.unit() - 1.0, 2.0 * random.unit() - 1.0 });
+  }
+  Listener listener;
+  const std::vector<double> values(given.points.size());
+  EXPECT_EQ(sample(given.sampler, SamplePlaces(viewOf(places)), values, { &listener, nullptr })
+              .report.places(),
+    count);
+  return listener.askings();
+}
+
+/// What is rounding for the edges of a point far away is not for all others.
+TEST(SampleOutside, APointFarAwayMakesNoOtherPlacesSlow)
+{
+  for (const double far : { 3.0, 1e13, 1e18 })
+  {
+    SampledCase given(roundHole(far, 2000));
+    EXPECT_LT(pollsOf(given, SampleMethod::Linear, 1000), 400u) << far;
+  }
+}
+
+/// Boxes around long edges hold many cells, few of which are near.
+TEST(SampleOutside, CellsBesideALongEdgeTakeNoLonger)
+{
+  SampledCase given({ { 0, 0 }, { 1, 0 }, { 0, 1 } });
+  given.prepare(SampleMethod::Linear);
+  const SampleRaster raster{ { 0.0, 0.0 }, { 0x1p-9, 0x1p-9 }, 512, 512, 0, 0 };
+  Listener listener;
+  const SampledValues found = sample(
+    given.sampler, SamplePlaces(raster), { 1.0, 2.0, 3.0 }, { &listener, nullptr });
+  EXPECT_EQ(found.report.valued, 512u * 513u / 2u + 511u);
+  EXPECT_LT(listener.askings(), 150u);
+}
+
+/// Of the vertices that walls hide not all are asked about, nor are all walls.
+TEST(SampleOutside, AStarOfWalls)
+{
+  SampledCase given(starPolygon(4000));
+  EXPECT_LT(pollsOf(given, SampleMethod::Nearest, 200), 400u);
 }
 
 } // namespace
