@@ -165,7 +165,7 @@ Taken runTogether(vtkPolyData* input, const Way& way, vtkMultiProcessController*
   {
     taken.of[std::size_t(stage)] = stages[std::size_t(stage)] - stages[std::size_t(stage - 1)];
   }
-  taken.triangles = (long long)result.Report.Triangles;
+  taken.triangles = (long long)result.Report.triangles;
   taken.of[Taken::kBytes] = memory("VmHWM:") - held -
     1024.0 * double(output->GetActualMemorySize());
   return taken;
