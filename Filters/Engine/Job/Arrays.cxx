@@ -397,15 +397,22 @@ constexpr std::array<Row, kWantedArrays> wantedRows(std::index_sequence<numbers.
 
 constexpr auto kRowsOfWanted = wantedRows(std::make_index_sequence<kWantedArrays>());
 
+/// Null after the last.
+const Row* rowAt(std::size_t number)
+{
+  const std::size_t others = std::size(kRows);
+  return number < others              ? &kRows[number]
+    : number - others < kWantedArrays ? &kRowsOfWanted[number - others]
+                                      : nullptr;
+}
+
 const Row& rowOf(Job& job, const char* name)
 {
-  const auto hasName = [name](const Row& r) { return name && std::strcmp(r.name, name) == 0; };
-  const Row* row = std::find_if(std::begin(kRows), std::end(kRows), hasName);
-  if (row == std::end(kRows))
+  const Row* row = nullptr;
+  for (std::size_t i = 0; (row = rowAt(i)) && !(name && std::strcmp(row->name, name) == 0); ++i)
   {
-    row = std::find_if(kRowsOfWanted.data(), kRowsOfWanted.data() + kWantedArrays, hasName);
   }
-  if (row == kRowsOfWanted.data() + kWantedArrays)
+  if (!row)
   {
     refuse(Reason::UnknownName,
       "There is no output array \"" + std::string(name ? name : "(null)") + "\".");
@@ -457,10 +464,8 @@ void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::u
 
 const char* outputArrayName(std::size_t number)
 {
-  const std::size_t others = std::size(kRows);
-  return number < others              ? kRows[number].name
-    : number - others < kWantedArrays ? kRowsOfWanted[number - others].name
-                                      : nullptr;
+  const Row* row = rowAt(number);
+  return row ? row->name : nullptr;
 }
 
 } // namespace ahd
