@@ -4,6 +4,7 @@
 #include "../Core/Border.h"
 #include "../Core/Loops.h"
 #include "../Order/CurveOrder.h"
+#include "../Surface/PlaneFit.h"
 #include "../Triangulation/Triangulation.h"
 #include "Preparation.h"
 
@@ -239,6 +240,7 @@ std::size_t preparationMemoryEstimate(const InputRequest& request)
     (orders ? (segments + 3 * chains) * sizeof(std::int64_t) : 0) +
     (request.split && segments > 0 ? splitMemoryEstimate(segmentsToSplit(request), 0) : 0) +
     (request.heightsFromSurface ? CurveOrder::mostBytes(request.sourcePoints.count) : 0) +
+    (request.fitPlane && !request.plane ? planeFitMemoryEstimate(expectedPoints(request)) : 0) +
     (request.tolerance > 0.0 ? expectedPoints(request) * (kBytesToMerge - kBytesMerged) : 0);
 }
 

@@ -43,6 +43,9 @@ struct PlaneFit
 /// @pre `fit` is new
 bool fitPlane(const PointView& points, Ticker& ticker, PlaneFit& fit);
 
+/// The bytes that fitPlane() takes at most, of so many points.
+std::size_t planeFitMemoryEstimate(std::size_t points);
+
 /// fitPlane() in steps, for points in several parts: the plane of all, bit for bit as if one had
 /// them. All holders of parts proceed alike:
 ///
