@@ -271,7 +271,7 @@ class UsedUpTest(Case):
                 for number, data in enumerate(given):
                     found = []
                     algorithm = interpolation(data)
-                    algorithm.SetDimensions(9, 9)
+                    algorithm.SetDimensions(24, 24)
                     algorithm.SetUseBounds(True)
                     algorithm.SetBounds(*plain.GetBounds()[:4])
                     for given_value in (row["on_surface"], value):
