@@ -118,7 +118,7 @@ def test_choices():
         "Method": ["Linear", "Natural Neighbor", "Laplace", "Nearest"],
         "RasterSize": ["Dimensions", "Cell Size"],
         "OutputType": ["Image", "Surface"],
-        "Outside": ["No Value", "Nearest Vertex"],
+        "Outside": ["No Value", "Nearest Vertex", "Boundary"],
     }
     for name, texts in expected.items():
         check_equal(choices(sm, name), dict(enumerate(texts)), "choices of " + name)
