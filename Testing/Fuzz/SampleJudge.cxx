@@ -132,23 +132,28 @@ private:
     }
   }
 
-  /// Does it lie where its weights put it, but for rounding?
+  /// Does it lie where its weights put it, but for rounding? With one weight, the other end of the
+  /// edge that it is at may be any point.
   bool isAtItsWeights(std::size_t k) const
   {
     constexpr double kRounding = 0x1p-46; // 16 units in the last place, and of the sums
-    double x = 0.0, y = 0.0, largest = 0.0;
+    double x = 0.0, y = 0.0, largest = sizeOf(places_[k]);
     for (std::uint64_t i = weights_.offsets[k]; i < weights_.offsets[k + 1]; ++i)
     {
       const Point p = surface_.points[std::size_t(weights_.points[i])];
       x += weights_.weights[i] * (p.x / 2.0 - places_[k].x / 2.0);
       y += weights_.weights[i] * (p.y / 2.0 - places_[k].y / 2.0);
-      largest = std::max({ largest, std::fabs(p.x), std::fabs(p.y), std::fabs(places_[k].x),
-        std::fabs(places_[k].y) });
+    }
+    for (std::size_t i = 0; i < surface_.points.count; ++i)
+    {
+      const Point p = surface_.points[i];
+      largest = std::max(largest, isFinite(p) ? sizeOf(p) : 0.0);
     }
     const double most = kRounding * largest + 0x1p-1069;
     return std::fabs(x) <= most && std::fabs(y) <= most;
   }
 
+  static double sizeOf(const Point& p) { return std::max(std::fabs(p.x), std::fabs(p.y)); }
   bool hasKept() const { return surface_.made.report().triangles > 0; }
 
   /// locate() agrees.
