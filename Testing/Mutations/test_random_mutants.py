@@ -341,8 +341,9 @@ class CallTest(unittest.TestCase):
 
     def test_faults_of_each_folder_are_found(self):
         for folder in ("Filters/Python", *(begin.rstrip("/") for begin in random_mutants.parts.TESTS)):
-            file = planting.files_of(random_mutants.ROOT, folder)[0]
-            self.assertTrue(planting.faults(file, (random_mutants.ROOT / file).read_text()), file)
+            files = planting.files_of(random_mutants.ROOT, folder)
+            found = (planting.faults(file, (random_mutants.ROOT / file).read_text()) for file in files)
+            self.assertTrue(any(found), folder)
 
 
 if __name__ == "__main__":
