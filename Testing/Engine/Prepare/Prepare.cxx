@@ -7,6 +7,7 @@
 
 #include "Listeners.h"
 #include "Prepare/Bounding.h"
+#include "Surface/PlaneFit.h"
 
 #include <gtest/gtest.h>
 
@@ -410,10 +411,11 @@ TEST(Prepare, MemoryIsEstimated)
   given.request.split = true;
   EXPECT_EQ(preparationMemoryEstimate(given.request), 7u * 8 + splitMemoryEstimate(3, 0));
   given.request.fitPlane = true;
-  EXPECT_EQ(preparationMemoryEstimate(given.request), 7u * 8 + splitMemoryEstimate(3, 0) + 4 * 25);
+  const std::size_t fitted = 7u * 8 + splitMemoryEstimate(3, 0) + 4 * 25 +
+    planeFitMemoryEstimate(4);
+  EXPECT_EQ(preparationMemoryEstimate(given.request), fitted);
   given.request.tolerance = 0.1;
-  EXPECT_EQ(
-    preparationMemoryEstimate(given.request), 7u * 8 + splitMemoryEstimate(3, 0) + 4 * 25 + 4 * 80);
+  EXPECT_EQ(preparationMemoryEstimate(given.request), fitted + 4 * 80);
 }
 
 } // namespace
