@@ -12,13 +12,14 @@
 namespace ahd
 {
 
-/// The number of tasks for a loop of a few operations a step. Short loops are one: sharing them
-/// takes longer.
+/// The fewest steps of a task of a loop of a few operations a step.
+constexpr std::size_t kLeastLoopTask = std::size_t(1) << 14;
+
+/// The number of tasks for such a loop. Short loops are one: sharing them takes longer.
 inline std::size_t tasksForLoop(const Ticker& ticker, std::size_t count)
 {
   constexpr std::size_t kLeastShared = std::size_t(1) << 18;
-  constexpr std::size_t kLeastTask = std::size_t(1) << 14;
-  return count < kLeastShared ? 1 : tasksFor(threadsOf(ticker), count, 8, kLeastTask);
+  return count < kLeastShared ? 1 : tasksFor(threadsOf(ticker), count, 8, kLeastLoopTask);
 }
 
 /// Calls work(a, b) for chunks [a, b) of [0, count), each at most kChunk long, on the threads lent

@@ -473,8 +473,7 @@ bool fitPlane(const PointView& points, Ticker& ticker, PlaneFit& fit)
 
 std::size_t planeFitMemoryEstimate(std::size_t points)
 {
-  constexpr std::size_t kLeastTask = std::size_t(1) << 14; // see tasksForLoop()
-  return (2 + points / kLeastTask) * sizeof(CellLevels) + 4096;
+  return (2 + points / kLeastLoopTask) * sizeof(CellLevels) + 4096;
 }
 
 } // namespace ahd
