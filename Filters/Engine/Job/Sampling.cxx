@@ -144,7 +144,6 @@ void Sampling::run(std::size_t bytes, const Work& work)
       work(sampler, report, context);
       check(job_.progress.finish() ? Status::Ok : Status::Cancelled);
     });
-  kept_.places = places_.count();
   kept_.report = report;
   kept_.estimate = bytes;
   kept_.seconds = job_.progress.now() - begun;

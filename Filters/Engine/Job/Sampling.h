@@ -37,7 +37,6 @@ struct JobSampling
   bool hasTables = false;  ///< does the triangulation have its tables?
   bool hasWeights = false;
   SampleWeights weights;
-  std::size_t places = 0;
   SampleReport report;
   std::size_t estimate = 0; ///< bytes
   double seconds = 0.0;

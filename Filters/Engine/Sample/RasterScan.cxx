@@ -104,7 +104,7 @@ bool RasterScan::inTasks(std::size_t tasks, SampleReport& report, Ticker& ticker
     ticker, tasks, [&](std::size_t task, Ticker& own) { return work(task, reports[task], own); });
   for (const SampleReport& some : reports)
   {
-    addTo(report, some);
+    addCounts(some, report);
   }
   return done;
 }
@@ -234,7 +234,7 @@ bool RasterScan::scanRim(SampleReport& report, Ticker& ticker)
       found = task.report();
       return true;
     });
-  addTo(report, atRim);
+  addCounts(atRim, report);
   report.outside -= atRim.valued;
   return done;
 }

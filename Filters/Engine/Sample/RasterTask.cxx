@@ -32,7 +32,7 @@ RasterTask::RasterTask(const SampledSurface& surface, const RasterGrid& grid,
 SampleReport RasterTask::report() const
 {
   SampleReport sum = sink_.report();
-  addTo(sum, fast_);
+  addCounts(fast_, sum);
   return sum;
 }
 

@@ -45,16 +45,6 @@ private:
   std::vector<Buffer<double>> gathered_;
 };
 
-/// Adds up what became of some places.
-inline void addTo(SampleReport& sum, const SampleReport& more)
-{
-  sum.valued += more.valued;
-  sum.outside += more.outside;
-  sum.notFinite += more.notFinite;
-  sum.withoutValue += more.withoutValue;
-  sum.leftOut += more.leftOut;
-}
-
 /// Writes values, and counts.
 class ValueSink
 {

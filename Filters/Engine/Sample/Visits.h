@@ -97,7 +97,7 @@ private:
       });
     for (const SampleReport& report : reports)
     {
-      addTo(report_, report);
+      addCounts(report, report_);
     }
     return done;
   }
