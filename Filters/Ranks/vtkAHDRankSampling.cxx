@@ -80,7 +80,6 @@ struct Found
 {
   bool IsDone = false, IsAborted = false;
   ahd::SampleReport Counts;
-  std::size_t Places = 0;
   ahd::Bounds Wanted;
   double Seconds = 0.0;
   std::string Error;
@@ -88,8 +87,8 @@ struct Found
 
   auto fields()
   {
-    return std::tie(this->IsDone, this->IsAborted, this->Counts, this->Places, this->Wanted,
-      this->Seconds, this->Error, this->Missing);
+    return std::tie(this->IsDone, this->IsAborted, this->Counts, this->Wanted, this->Seconds,
+      this->Error, this->Missing);
   }
 };
 }
@@ -337,7 +336,7 @@ void vtkAHDRankSampling::Share(const vtkAHDSampleExecution& execution, bool isDo
   std::vector<Found> all;
   const auto make = [&](Found& found) // not Share(): an abort is told with the rest
   {
-    found = { isDone, !isDone && this->Context.IsAborted(), mine.Counts, mine.Places, this->Wanted,
+    found = { isDone, !isDone && this->Context.IsAborted(), mine.Counts, this->Wanted,
       execution.GetSeconds(), error, mine.Missing };
     return ahd::Status::Ok;
   };
@@ -356,7 +355,6 @@ void vtkAHDRankSampling::Share(const vtkAHDSampleExecution& execution, bool isDo
         this->Aborted = this->Aborted || one.IsAborted;
         ahd::addCounts(one.Counts, this->Result.Counts);
         this->Result.AddMissing(one.Missing);
-        this->Result.Places += one.Places;
         this->Result.Wanted = ahd::joined(this->Result.Wanted, one.Wanted);
         this->Seconds = std::max(this->Seconds, one.Seconds);
       }

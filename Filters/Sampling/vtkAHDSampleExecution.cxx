@@ -164,7 +164,7 @@ bool vtkAHDSampleExecution::FindPlaces(const vtkAHDSampleInputs& inputs)
   if (inputs.Places)
   {
     this->Places = std::make_unique<vtkAHDPlaces>(inputs.Places);
-    this->Result.Places = this->Places->GetCount();
+    this->NumberOfPlaces = this->Places->GetCount();
     return true;
   }
   this->Raster = inputs.Raster
@@ -172,7 +172,7 @@ bool vtkAHDSampleExecution::FindPlaces(const vtkAHDSampleInputs& inputs)
     : vtkAHDFindRaster(this->Settings, this->Wishes, inputs.Points, inputs.Source, this->Context);
   this->Covers = vtkAHDCover(inputs.Told, this->Raster);
   vtkAHDSayNoRaster(this->Filter, this->Wishes, this->Raster);
-  this->Result.Places = this->Raster.Cells.columns * this->Raster.Cells.rows;
+  this->NumberOfPlaces = this->Raster.Cells.columns * this->Raster.Cells.rows;
   return this->Raster.Fault == vtkAHDRasterFault::None ||
     this->Raster.Fault == vtkAHDRasterFault::NoArea;
 }
@@ -180,7 +180,7 @@ bool vtkAHDSampleExecution::FindPlaces(const vtkAHDSampleInputs& inputs)
 /// The points of a raster as a surface: x, y, z and mark.
 double vtkAHDSampleExecution::EstimateSurface() const
 {
-  return this->Wishes.AsSurface ? 25.0 * double(this->Result.Places) : 0.0;
+  return this->Wishes.AsSurface ? 25.0 * double(this->NumberOfPlaces) : 0.0;
 }
 
 /// Interpolating. The first of several pieces answers for all: their outputs stay, and one of them
@@ -306,7 +306,7 @@ std::vector<double> vtkAHDSampleExecution::StagesBehind(std::size_t points) cons
   const double perPlace = isScan                       ? 0.05
     : this->Wishes.Method == ahd::SampleMethod::Linear ? 0.6
                                                        : 2.0;
-  const double sampling = 0.1 + perPlace * double(this->Result.Places) / double(points + 1);
+  const double sampling = 0.1 + perPlace * double(this->NumberOfPlaces) / double(points + 1);
   return { this->Settings.limitsSize() ? 1.5 : 0.0, sampling };
 }
 
@@ -431,7 +431,6 @@ void vtkAHDSampleExecution::TakeFromCounts(const vtkAHDSampleInputs& inputs,
   sampling.Run(ahd::SamplePlaces(ahd::PointView(&places[0].x, places.size(), 2)), heights, columns);
   const ahd::SampleReport& others = sampling.GetReport();
   ahd::takeCounts(others, this->Result.Counts);
-  this->Result.Places -= places.size();
   for (vtkAHDMissingValues& missing : this->Result.Missing)
   {
     missing.Places -= columns.CountMissingOf(missing.Name);
@@ -442,7 +441,6 @@ void vtkAHDSampleExecution::CountPlaces(
   const ahd::SamplePlaces& places, const ahd::SampleReport& counts, vtkAHDSampledSurface& surface)
 {
   this->Result.Counts = counts;
-  this->Result.Places = places.count();
   this->Result.Triangles = surface.GetTriangleCount();
   if (counts.outside == 0 || counts.valued > 0)
   {

@@ -118,6 +118,7 @@ private:
   vtkAHDRaster Raster;
   bool Covers = false;                  // more than is its own
   std::unique_ptr<vtkAHDPlaces> Places; // null: the raster
+  std::size_t NumberOfPlaces = 0;
   double BytesOfSampling = 0.0;
   std::size_t CommonPlaces = 0; // that earlier ranks have, too
   vtkAHDReport Report;          // of the triangulation

@@ -86,7 +86,6 @@ void vtkAHDSayFolded(vtkAlgorithm* filter, std::size_t triangles, std::size_t mi
 void vtkAHDSampleResult::Add(const vtkAHDSampleResult& more)
 {
   ahd::addCounts(more.Counts, this->Counts);
-  this->Places += more.Places;
   this->AddMissing(more.Missing);
   this->Triangles = more.Triangles;
   this->Surface = ahd::isEmpty(this->Surface) ? more.Surface : this->Surface;

@@ -43,7 +43,6 @@ void vtkAHDSayFolded(vtkAlgorithm* filter, std::size_t triangles, std::size_t mi
 struct vtkAHDSampleResult
 {
   ahd::SampleReport Counts;
-  std::size_t Places = 0;
   std::size_t Triangles = 0; ///< 0: not known
   ahd::Bounds Surface;       ///< of the vertices
   ahd::Bounds Wanted;        ///< of the places, if none has a value
