@@ -15,7 +15,7 @@ from ._input import PLANES, chosen_plane, real_of
 from ._interface import PLANE_BEST_FIT, SAY_TRIANGULATION, WORDS_OF_NUMPY, say
 from ._keywords import MESH_KEYWORDS
 from ._names import value_of
-from ._sampling import METHODS
+from ._sampling import METHODS, OUTSIDE
 from ._vtk.arrays import coordinates, ghost_marks
 from ._vtk.blocks import Blocks
 from ._vtk.execution import SKIPPED
@@ -24,7 +24,7 @@ from ._warnings import DelaunayWarning, _depth
 
 #: The words of an argument, in the order of the filter's numbers.
 WORDS = {**{name: row.words for name, row in MESH_KEYWORDS.items() if row.words},
-         "plane": PLANES, "method": METHODS, "outside": ("none", "nearest", "boundary")}
+         "plane": PLANES, "method": METHODS, "outside": ("none", *OUTSIDE)}
 
 
 def _number_of(value, argument):

@@ -13,7 +13,8 @@ from ._raster import Raster, raster_over, real_numbers, unmasked
 
 #: In the order of the header's numbers.
 METHODS = ("linear", "natural", "laplace", "nearest")
-_OUTSIDE = {"nearest": library.OUTSIDE_NEAREST_VERTEX, "boundary": library.OUTSIDE_BOUNDARY}
+#: By the header's numbers, from 1 on.
+OUTSIDE = {"nearest": library.OUTSIDE_NEAREST_VERTEX, "boundary": library.OUTSIDE_BOUNDARY}
 
 ProgressFunction = Callable[[str, float], Any]
 
@@ -266,7 +267,7 @@ class Sampled(Made):
         chosen = method_of(method)
         if gradient and chosen != library.SAMPLE_LINEAR:
             raise ValueError("there are gradients with the method 'linear' only")
-        fills = _OUTSIDE.get(outside) if isinstance(outside, str) else library.OUTSIDE_NO_VALUE
+        fills = OUTSIDE.get(outside) if isinstance(outside, str) else library.OUTSIDE_NO_VALUE
         if fills is None:
             raise ValueError("outside must be a number, 'nearest' or 'boundary', not %r" % (outside,))
         places, shape = places_of(at)
