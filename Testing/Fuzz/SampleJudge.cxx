@@ -2,6 +2,7 @@
 #include "SampleJudge.h"
 
 #include "Judge.h"
+#include "Sample/NearestSeen.h"
 #include "Sample/Sample.h"
 #include "SampleOracle.h"
 
@@ -55,6 +56,8 @@ public:
     for (std::size_t i = 0; i < surface.points.count; ++i)
     {
       values_.push_back(double(i * 37 % 101) - 50.0);
+      const Point p = surface.points[i];
+      largest_ = std::max(largest_, isFinite(p) ? sizeOf(p) : 0.0);
     }
   }
 
@@ -137,23 +140,17 @@ private:
   bool isAtItsWeights(std::size_t k) const
   {
     constexpr double kRounding = 0x1p-46; // 16 units in the last place, and of the sums
-    double x = 0.0, y = 0.0, largest = sizeOf(places_[k]);
+    double x = 0.0, y = 0.0, largest = std::max(largest_, sizeOf(places_[k]));
     for (std::uint64_t i = weights_.offsets[k]; i < weights_.offsets[k + 1]; ++i)
     {
       const Point p = surface_.points[std::size_t(weights_.points[i])];
       x += weights_.weights[i] * (p.x / 2.0 - places_[k].x / 2.0);
       y += weights_.weights[i] * (p.y / 2.0 - places_[k].y / 2.0);
     }
-    for (std::size_t i = 0; i < surface_.points.count; ++i)
-    {
-      const Point p = surface_.points[i];
-      largest = std::max(largest, isFinite(p) ? sizeOf(p) : 0.0);
-    }
     const double most = kRounding * largest + 0x1p-1069;
     return std::fabs(x) <= most && std::fabs(y) <= most;
   }
 
-  static double sizeOf(const Point& p) { return std::max(std::fabs(p.x), std::fabs(p.y)); }
   bool hasKept() const { return surface_.made.report().triangles > 0; }
 
   /// locate() agrees.
@@ -277,6 +274,7 @@ private:
   const ToSample& surface_;
   SampleMethod method_;
   std::vector<Point> places_;
+  double largest_ = 0.0; ///< coordinate of the points
   std::vector<double> values_, out_;
   std::vector<unsigned char> mask_;
   Sampler sampler_;
