@@ -7,13 +7,17 @@ from __future__ import annotations
 import atexit
 import ctypes
 import os
-import signal
 import threading
 import time
 from types import FrameType
 from typing import TYPE_CHECKING, Any, Callable, Dict, List, NamedTuple, Optional
 
 import numpy as np
+
+try:
+    import _signal as signal  # without the conversions to enumerations, which take ten times as long
+except ImportError:
+    import signal  # type: ignore[no-redef]
 
 from ._interface import BAD_ARRAY, BadInput, Progress, Projection
 
@@ -75,14 +79,17 @@ class Interrupts:
     The handler that the program wants is the one that it set last: before, by its handler or by a callback.
     """
 
-    def __init__(self, tell: Callable[[BaseException], None]) -> None:
+    def __init__(self, tell: Callable[[BaseException], None], thread: threading.Thread) -> None:
         self._tell = tell
+        self._thread = thread  # this one
         self._handler: Any = None  # the program's
         self._isEntered = False
 
     def __enter__(self) -> None:
+        if self._thread is not threading.main_thread():
+            return
         handler = signal.getsignal(signal.SIGINT)
-        if not callable(handler) or threading.current_thread() is not threading.main_thread():
+        if not callable(handler):
             return
         self._handler, self._isEntered = handler, True
         try:

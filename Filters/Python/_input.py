@@ -77,19 +77,31 @@ def real_of(name: str, value: Any, limits: Optional[Tuple[float, float]] = None)
     return number
 
 
+def _converted(name: str, value: Any) -> Union[int, float]:
+    row = KEYWORDS[name]
+    convert: Callable[[str, Any], Union[int, float]] = (
+        _choice if row.words else _flag if row.least is None else _whole if isinstance(row.least, int) else real_of
+    )
+    return convert(name, value)
+
+
+_USUAL = {row.setting: _converted(name, row.default) for name, row in KEYWORDS.items()}
+
+
 def settings_of(given: Mapping[str, Any]) -> Dict[str, Union[int, float]]:
-    """The settings of a job for keywords that are one number or word each."""
-    made: Dict[str, Union[int, float]] = {}
+    """The settings of a job for keywords that are one number or word each; the defaults of others."""
+    made = _USUAL.copy()
     for name, value in given.items():
-        row = KEYWORDS[name]
-        convert: Callable[[str, Any], Union[int, float]] = (
-            _choice if row.words else _flag if row.least is None else _whole if isinstance(row.least, int) else real_of
-        )
-        made[row.setting] = convert(name, value)
+        usual = DEFAULTS[name]
+        if value is not usual and (type(value) is not type(usual) or value != usual):
+            made[KEYWORDS[name].setting] = _converted(name, value)
     return made
 
 
 # --- Arrays -------------------------------------------------------------------------------------------------
+
+
+_FLOATS = frozenset((np.dtype(np.float32), np.dtype(np.float64)))
 
 
 def points_of(name: str, given: Any) -> np.ndarray:
@@ -105,7 +117,7 @@ def points_of(name: str, given: Any) -> np.ndarray:
         raise ValueError("%s must be of shape (n, 2) or (n, 3), not %s%s" % (name, points.shape, hint))
     if points.dtype.kind not in "biuf" and points.size:
         raise TypeError("%s must be real numbers, not of type %s" % (name, points.dtype))
-    isReady = points.dtype in (np.float32, np.float64) and points.dtype.isnative and points.flags.aligned
+    isReady = points.dtype in _FLOATS and points.flags.aligned  # which are of the machine's byte order
     return points if isReady else np.array(points, np.float64)
 
 
@@ -246,6 +258,7 @@ class Request:
         self.settings = settings_of(settings)
         self.arrays: Dict[str, np.ndarray] = {}
         self._shared: Dict[str, Any] = {}  # those in memory of the caller's: what keeps it where it is
+        self._described: Dict[str, library.Array] = {}  # how they lie in memory
         self.projection: Optional[Callable[[np.ndarray], None]] = None
         self.plane_was_chosen = False  # 'automatic' took the best-fitting one
         self._take("points", points_of("points", points), points)
@@ -268,16 +281,26 @@ class Request:
 
     def __getstate__(self) -> Dict[str, Any]:
         """A copy has memory of its own; its numbers are compared all the same."""
-        return {**self.__dict__, "_shared": dict.fromkeys(self._shared)}
+        return {**self.__dict__, "_shared": dict.fromkeys(self._shared), "_described": {}}
 
     def fingerprint(self) -> Fingerprint:
         """Of all arrays that the caller can change."""
-        return {name: library.fingerprint(self.arrays[name]) for name in self._shared}
+        return {name: self._numbers_of(name) for name in self._shared}
+
+    def _numbers_of(self, name: str) -> Tuple[int, int]:
+        return library.fingerprint(self.arrays[name], address=self._laid_out(name).data)
+
+    def _laid_out(self, name: str) -> library.Array:
+        """How an array lies in memory."""
+        made = self._described.get(name)
+        if made is None:
+            made = self._described[name] = library.described(name, self.arrays[name])
+        return made
 
     def first_changed(self, before: Fingerprint) -> str:
         """The caller's name of the first array whose numbers have changed; empty if none has."""
         for name, numbers in before.items():
-            if library.fingerprint(self.arrays[name]) != numbers:
+            if self._numbers_of(name) != numbers:
                 return _NAMES_HERE.get(name, name)
         return ""
 
@@ -355,7 +378,7 @@ class Request:
         job.set(**{name: value for name, value in self.settings.items() if value != usual[name]})
         job.set(**{"want_" + name: 1 for name in wanted})
         for name, array in self.arrays.items():
-            job.set_array(name, array)
+            job.set_array(name, array, self._laid_out(name))
         if self.projection is not None:
             job.set_projection(self.projection)
         return job

@@ -47,7 +47,6 @@ RIM_AUTOMATIC, RIM_CONVEX_HULL, RIM_TRIMMED = range(3)
 CLIP_HULL, CLIP_BOUNDS = range(2)
 SAMPLE_LINEAR, SAMPLE_NATURAL_NEIGHBOR, SAMPLE_LAPLACE, SAMPLE_NEAREST = range(4)
 OUTSIDE_NO_VALUE, OUTSIDE_NEAREST_VERTEX, OUTSIDE_BOUNDARY = range(3)
-OUTSIDE_NO_VALUE, OUTSIDE_NEAREST_VERTEX = range(2)
 
 # Values of point_status that are not ids.
 POINT_NOT_FINITE, POINT_NOT_INSERTED = -1, -2
@@ -210,10 +209,13 @@ def _signatures() -> Dict[str, Tuple[Any, List[Any]]]:
         "ahd_cancel": (None, [job]),
         "ahd_kept_bytes": (u64, [job]),
         "ahd_release": (status, [job, u64]),
+        "ahd_reset": (status, [job, u64]),
         "ahd_fit_plane": (status, [job, pointer]),
         "ahd_choose_plane": (status, [job, to(i64)]),
         "ahd_count": (status, [job, name, to(i64)]),
         "ahd_measure": (status, [job, name, to(double)]),
+        "ahd_counts": (status, [job, to(i64), u64]),
+        "ahd_measures": (status, [job, to(double), u64]),
         "ahd_array_size": (status, [job, name, to(u64), to(u64)]),
         "ahd_get_array": (status, [job, name, i32, pointer, u64]),
         "ahd_draw_order": (status, [job, i32, to(Drawing)]),
@@ -298,6 +300,27 @@ def names(kind: int) -> Tuple[str, ...]:
         found.append(name.decode())
 
 
+@functools.lru_cache(64)
+def array_type(kind: Any, count: int) -> Any:
+    """The type of a C array; ctypes forgets those that nobody holds, and makes another one each time."""
+    return kind * count
+
+
+def described(name: str, array: np.ndarray) -> Array:
+    """How an input array lies in memory."""
+    number, flat = TYPES.get(array.dtype), array.ndim == 1
+    if number is None or not array.flags.aligned or array.ndim not in (1, 2):
+        raise BadInput("%s: an array of %d dimensions and type %s" % (name, array.ndim, array.dtype.str), BAD_ARRAY)
+    return Array(
+        array.ctypes.data if array.size else None,
+        number,
+        1 if flat else array.shape[1],
+        array.shape[0],
+        array.strides[0],
+        array.itemsize if flat else array.strides[1],
+    )
+
+
 def _fact(name: str, value: Any) -> Fact:
     text, number = value if isinstance(value, tuple) else (value, 0) if isinstance(value, str) else (None, value)
     written = None if text is None else text.encode(errors="surrogateescape")
@@ -309,12 +332,13 @@ def say(topic: int, words: int, facts: Mapping[str, Any], job: Any = None) -> Di
     or lists of these; `job`: a Job whose counts are facts, too."""
     lists = {name: value if isinstance(value, list) else [value] for name, value in facts.items()}
     rows = [_fact(name, one) for name, each in lists.items() for one in each]
-    given, size, needed = (Fact * len(rows))(*rows), 0, 4096
-    while needed > size:
-        size = needed
-        out = ctypes.create_string_buffer(size)
-        needed = C.ahd_say(job and job._handle, topic, words, given, len(rows), out, size)
-    if needed == 0:
+    given = array_type(Fact, len(rows))(*rows)
+    handle, count = job and job._handle, len(rows)
+    needed = C.ahd_say(handle, topic, words, given, count, None, 0)
+    if needed == 1:
+        return {}
+    out = ctypes.create_string_buffer(needed)
+    if needed == 0 or C.ahd_say(handle, topic, words, given, count, out, needed) != needed:
         raise MemoryError
     said = out.raw[: needed - 1].decode(errors="surrogateescape").split("\0")
     return dict(zip(said[::2], said[1::2]))
@@ -325,12 +349,18 @@ def status_name(status: int) -> str:
     return str(C.ahd_status_name(status).decode())
 
 
-def fingerprint(array: np.ndarray, kind: int = 0) -> Tuple[int, int]:
+_TwoWords = ctypes.c_uint64 * 2
+
+
+def fingerprint(array: np.ndarray, kind: int = 0, address: Optional[int] = None) -> Tuple[int, int]:
     """128 bits that differ, in practice always, where the numbers of the array or `kind` do; the same however they lie
-    in memory. They are copied in small parts where they do not lie side by side."""
-    made = (ctypes.c_uint64 * 2)(kind, 0)
+    in memory. They are copied in small parts where they do not lie side by side. `address`: theirs, if it is known."""
+    made = _TwoWords(kind, 0)
     rows = 1 << 13
+    if address is not None and len(array) <= rows and array.flags.c_contiguous:
+        C.ahd_fingerprint(address, array.nbytes, kind, made)
+        return made[0], made[1]
     for begin in range(0, max(1, len(array)), rows):
         part = np.ascontiguousarray(array[begin : begin + rows])
         C.ahd_fingerprint(part.ctypes.data, part.nbytes, made[0] ^ made[1], made)
-    return int(made[0]), int(made[1])
+    return made[0], made[1]

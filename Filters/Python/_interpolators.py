@@ -20,7 +20,7 @@ class _Interpolator:
 
     def _start(self, points: Any, values: Any, rescale: bool, threads: int) -> None:
         isMade = isinstance(points, Triangulation)
-        self._origin, self._scale = np.zeros(2), np.ones(2)
+        self._origin, self._scale, self._is_rescaled = np.zeros(2), np.ones(2), rescale
         if isMade and rescale:
             raise ValueError("rescale is for points, not for a triangulation of them")
         if not isMade:
@@ -67,7 +67,7 @@ class _Interpolator:
             raise TypeError("places are x and y, or one array of shape (..., 2), not %d arguments" % len(args))
         if places.ndim < 1 or places.shape[-1] != 2:
             raise ValueError("places must be of shape (..., 2), not %s" % (places.shape,))
-        if self._origin.any() or (self._scale != 1).any():
+        if self._is_rescaled:
             places = (places - self._origin) / self._scale
         return places
 

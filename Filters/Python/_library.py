@@ -12,15 +12,15 @@ import contextlib
 import ctypes
 import functools
 import threading
-from typing import Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Sequence, Set, Tuple, Union
+from typing import Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from ._interface import *  # noqa: F403
 from ._interface import (
     AT_CROSSINGS, AT_SURFACE, BAD_ARRAY, BUSY, COUNTS, DOUBLE_SETTINGS, ERRORS, FIXED_DTYPES, INT_SETTINGS, MEASURES,
-    NO_JOB, OK, SAMPLE_LINEAR, TYPES, Array, BadInput, C, Drawing, EngineError, Fault, NotAvailable, Places, Sampled,
-    names, status_name,
+    NO_JOB, OK, OUTSIDE_NO_VALUE, SAMPLE_LINEAR, SAMPLE_NEAREST, TYPES, Array, BadInput, C, Drawing, Fault,
+    NotAvailable, Places, Sampled, array_type, described, names, status_name,
 )  # fmt: skip
 from ._calls import AT_WORK as _at_work
 from ._calls import NO_PROGRESS, NO_PROJECTION, PROGRESS, PROJECTION, Call, Interrupts, end_with_the_program
@@ -29,10 +29,13 @@ from ._raster import Raster
 
 
 # --- Jobs ---------------------------------------------------------------------------------------------------
-
 ProgressFunction = Callable[[int, float], Any]
 ProjectionFunction = Callable[[np.ndarray], Any]
 Number = Union[int, float]
+SOON = 0.05  #: seconds of a call before it notices Ctrl-C: most end sooner, and are spared the callbacks
+FEW = 1 << 12  #: so many points, places or numbers take milliseconds
+FEW_BYTES = 1 << 20  #: results of so many need not be counted before there is memory for them
+NO_MASK = np.empty(0, np.uint8)
 
 _INTS = frozenset(names(INT_SETTINGS))
 _DOUBLES = frozenset(names(DOUBLE_SETTINGS))
@@ -56,15 +59,20 @@ class Job:
     def __init__(self, handle: Optional[Handle] = None) -> None:
         """Of a new job of the library, or of one that was handed on."""
         self._handle = Handle() if handle is None else handle
+        self._raised: Optional[BaseException] = None
+        self.wasCancelled = False  # perhaps the next call will hear of it
         self._arrays: Dict[str, Any] = {}  # owners of the memory that the library reads
-        self._changed: Set[str] = set()  # settings
+        self._given: Dict[str, Array] = {}  # how they lie there
         self._progress: Optional[ProgressFunction] = None
         self._projection: Optional[ProjectionFunction] = None
-        self._raised: Optional[BaseException] = None
-        self._listens = False  # has the library been told of PROGRESS?
-        self.wasCancelled = False  # perhaps the next call will hear of it
+        self._hears: Optional[float] = None  # of progress, after so many seconds
+        self._how = (SAMPLE_LINEAR, OUTSIDE_NO_VALUE)  # method and outside, as they are set
+        self._forget()
+
+    def _forget(self) -> None:
+        """There is no result, or another one."""
         self.hasTables = False  # has the library all that it needs of the input to find places?
-        C.ahd_set_progress(self._handle, NO_PROGRESS, self._handle)
+        self._rows = -1  # of results for points, where they have been counted
 
     def hand_on(self) -> Handle:
         """The library's job, taken out of this one, which is of no use any more."""
@@ -83,13 +91,14 @@ class Job:
             message = C.ahd_message(self._handle).decode() or status_name(status)
             raise ERRORS.get(status, Fault)(message, status)
 
-    def _listen(self) -> None:
-        """Callbacks take the GIL: there are none without a progress function."""
-        wanted = self._progress is not None or threading.current_thread() is threading.main_thread()
-        if wanted != self._listens:
-            function = PROGRESS if wanted else NO_PROGRESS
+    def _listen(self, thread: threading.Thread) -> None:
+        """Callbacks take the GIL: there are none without a progress function but in the main thread, for Ctrl-C."""
+        wanted = 0.0 if self._progress is not None else SOON if thread is threading.main_thread() else None
+        if wanted != self._hears:
+            function = NO_PROGRESS if wanted is None else PROGRESS
             self._check(C.ahd_set_progress(self._handle, function, self._handle))
-            self._listens = wanted
+            self._check(C.ahd_set_double(self._handle, b"progress_delay", wanted or 0.0))
+            self._hears = wanted
 
     def refuse_if_busy(self) -> None:
         """NotAvailable during a call, which is that of a progress function."""
@@ -104,20 +113,25 @@ class Job:
             if call.thread is threading.current_thread():
                 call.job._raised = error
 
-    def _call(self, function: Any, *arguments: Any, arrays: Sequence[np.ndarray] = ()) -> None:
-        """A call that may take long. `arrays`: those of callers whose addresses are among the arguments."""
+    def _call(
+        self, function: Any, *arguments: Any, arrays: Sequence[np.ndarray] = (), is_short: bool = False
+    ) -> None:
+        """A call that may take long. `arrays`: those of callers whose addresses are among the arguments. `is_short`:
+        it takes milliseconds, and Ctrl-C can wait for its end: no callback is needed."""
         handle = self._handle
-        call = Call(self, threading.current_thread(), [anchor(array) for array in arrays])
+        thread = threading.current_thread()
+        call = Call(self, thread, [anchor(array) for array in arrays])
         if handle.address is None:
             self._check(NO_JOB)
         raised: Optional[BaseException] = None
         try:
-            with Interrupts(self._put_aside):  # until the call is unregistered
+            with Interrupts(self._put_aside, thread):  # until the call is unregistered
                 try:
                     if _at_work.setdefault(handle.address, call) is not call:
                         raise _busy()
                     end_with_the_program()
-                    self._listen()
+                    if not is_short or self._progress is not None:
+                        self._listen(thread)
                     status = function(handle, *arguments)
                 finally:
                     if _at_work.get(handle.address) is call:
@@ -138,7 +152,6 @@ class Job:
     def set(self, **settings: Number) -> None:
         """Changes settings, whole numbers (True and False too) and others by their names."""
         for name, value in settings.items():
-            self._changed.add(name)
             if name in _DOUBLES:
                 self._check(C.ahd_set_double(self._handle, name.encode(), float(value)))
             else:
@@ -162,28 +175,18 @@ class Job:
 
     # --- input ---
 
-    def set_array(self, name: str, array: Optional[np.ndarray]) -> None:
+    def set_array(self, name: str, array: Optional[np.ndarray], given: Optional[Array] = None) -> None:
         """An input array of one or two dimensions; None takes it away. It is not copied, and must stay unchanged until
         another one takes its place; its memory stays where it is. Any strides; the types are those of the header, in
-        the machine's byte order, aligned."""
+        the machine's byte order, aligned. `given`: described(array), if there is one."""
         if array is None:
-            self.hasTables = False
+            self._forget()
             self._check(C.ahd_set_array(self._handle, name.encode(), None))
             self._arrays.pop(name, None)
+            self._given.pop(name, None)
             return
-        number = TYPES.get(array.dtype)
-        if number is None or not array.flags.aligned or array.ndim not in (1, 2):
-            raise BadInput("%s: an array of %d dimensions and type %s" % (name, array.ndim, array.dtype.str), BAD_ARRAY)
-        flat = array.ndim == 1
-        given = Array(
-            array.ctypes.data if array.size else None,
-            number,
-            1 if flat else array.shape[1],
-            array.shape[0],
-            array.strides[0],
-            array.itemsize if flat else array.strides[1],
-        )
-        self.hasTables = False
+        given = given or described(name, array)
+        self._forget()
         before, now = self._arrays.get(name), anchor(array)
         self._arrays[name] = (before, now)  # whichever of them the library has if this is interrupted
         status = C.ahd_set_array(self._handle, name.encode(), given)
@@ -191,6 +194,7 @@ class Job:
         if self._arrays[name] is None:
             del self._arrays[name]
         self._check(status)
+        self._given[name] = given
 
     def set_projection(self, projection: Optional[ProjectionFunction]) -> None:
         """For PLANE_CALLBACK: a function that is given (k, 3) float64, points, and changes them in place to
@@ -204,15 +208,10 @@ class Job:
         thread that makes the call; a true result cancels. None: no calls."""
         self._progress = progress
 
-    def reset(self, most: int) -> None:
-        """Makes it as new, but for its memory: that is kept for the next run, unless it is more than `most` bytes."""
-        self.release(most)
-        self.set_progress(None)
-        self.set_projection(None)
-        for name in list(self._arrays):
-            self.set_array(name, None)
-        self.set(**{name: defaults()[name] for name in self._changed if name in defaults()})
-        self._changed.clear()
+    def reset(self, most: int) -> bool:
+        """Makes the library's job as new, but for its memory: that is kept for the next run, unless it is more than
+        `most` bytes. It is to be handed on then. False if it is at work, or may be cancelled still."""
+        return C.ahd_reset(self._handle, most) == OK and not self.wasCancelled
 
     # --- running ---
 
@@ -224,8 +223,9 @@ class Job:
 
     def run(self) -> None:
         """Triangulates. Discards the previous result."""
-        self.hasTables = False
-        self._call(C.ahd_run)
+        self._forget()
+        given = self._given.get("points") if len(self._arrays) == 1 and self._projection is None else None
+        self._call(C.ahd_run, is_short=given is not None and given.rows <= FEW)
 
     def cancel(self) -> None:
         """Ends the call that is at work, or else the next one. From any thread."""
@@ -238,7 +238,7 @@ class Job:
 
     def release(self, most: int = 0) -> None:
         """Drops the result. Its memory is kept for the next run, unless that would be more than `most` bytes."""
-        self.hasTables = False
+        self._forget()
         self._check(C.ahd_release(self._handle, most))
 
     def fit_plane(self) -> np.ndarray:
@@ -269,11 +269,19 @@ class Job:
 
     def counts(self) -> Dict[str, int]:
         """All counts of the last run."""
-        return {name: self.count(name) for name in names(COUNTS)}
+        return dict(zip(names(COUNTS), self.numbers(COUNTS)))
 
     def measures(self) -> Dict[str, float]:
         """All measures of the last run."""
-        return {name: self.measure(name) for name in names(MEASURES)}
+        return dict(zip(names(MEASURES), self.numbers(MEASURES)))
+
+    def numbers(self, kind: int) -> Any:
+        """A ctypes array of all counts or measures, COUNTS or MEASURES, in the order of names(kind)."""
+        function, of = (C.ahd_counts, ctypes.c_int64) if kind == COUNTS else (C.ahd_measures, ctypes.c_double)
+        count = len(names(kind))
+        made = array_type(of, count)()
+        self._check(function(self._handle, made, count))
+        return made
 
     def array_shape(self, name: str) -> Tuple[int, int]:
         """Rows and columns of an output array."""
@@ -286,14 +294,16 @@ class Job:
 
         `dtype`: int32, the default, or int64 for ids; float64, the default, or float32 for "points"; others have
         one type only. `out`: an array to be written, C-contiguous, of the right type and with room enough."""
-        rows, columns = self.array_shape(name)
         if out is None:
+            rows, columns = self.array_shape(name)
             shape = (rows,) if columns == 1 else (rows, columns)
             out = np.empty(shape, dtype or FIXED_DTYPES.get(name, np.int32))
-        if not out.flags.c_contiguous or out.dtype not in TYPES:
+        number = TYPES.get(out.dtype)
+        if number is None or not out.flags.c_contiguous:
             raise BadInput("%s: cannot be written into this array of type %s" % (name, out.dtype.str), BAD_ARRAY)
         _check_writeable(name, out)
-        self._call(C.ahd_get_array, name.encode(), TYPES[out.dtype], out.ctypes.data, out.size, arrays=(out,))
+        to = (name.encode(), number, out.ctypes.data, out.size)
+        self._call(C.ahd_get_array, *to, arrays=(out,), is_short=out.size <= FEW)
         return out
 
     def draw_order(self, xyz: np.ndarray, ranks: np.ndarray, ids: np.ndarray, levels: np.ndarray, counts: np.ndarray
@@ -333,21 +343,28 @@ class Job:
         if xy.ndim != 2 or xy.shape[1] != 2:
             raise BadInput("places: of shape %s, not (k, 2)" % (xy.shape,), BAD_ARRAY)
         count = len(xy)
-        kinds, ids, cells = np.empty(count, np.int32), np.empty((count, 3), np.int64), np.empty(count, np.int64)
-        out = (kinds.ctypes.data, ids.ctypes.data, cells.ctypes.data)
-        self._call(C.ahd_locate, xy.ctypes.data, count, *out, arrays=(xy,))
+        kinds, numbers = np.empty(count, np.int32), np.empty(4 * count, np.int64)
+        ids, cells = numbers[: 3 * count].reshape(count, 3), numbers[3 * count :]
+        begin, is_short = numbers.ctypes.data, self.hasTables and count <= FEW
+        out = (kinds.ctypes.data, begin, begin + 24 * count)
+        self._call(C.ahd_locate, xy.ctypes.data, count, *out, arrays=(xy,), is_short=is_short)
         self.hasTables = True
         return kinds, ids, cells
 
+    def _sample_by(self, method: int, outside: int) -> None:
+        if (method, outside) != self._how:
+            self.set(sample_method=method, sample_outside=outside)
+            self._how = (method, outside)
+
     @contextlib.contextmanager
-    def _sampling(self, method: int, outside: int, bytes_given: int) -> Iterator[None]:
-        """The settings of one call."""
+    def _with_memory(self, bytes_given: int) -> Iterator[None]:
+        """Counts memory for results of one call."""
         other = int(self.get("other_memory"))
-        self.set(sample_method=method, sample_outside=outside, other_memory=min(other + bytes_given, 1 << 62))
+        self.set(other_memory=min(other + bytes_given, 1 << 62))
         try:
             yield
         finally:
-            self.set(sample_method=SAMPLE_LINEAR, sample_outside=0, other_memory=other)
+            self.set(other_memory=other)
 
     def sample(
         self,
@@ -357,36 +374,49 @@ class Job:
         method: int = SAMPLE_LINEAR,
         outside: int = 0,
         gradients: bool = False,
+        has_mask: bool = True,
         make: Optional[Callable[[int], Tuple[List[np.ndarray], List[Any], np.ndarray]]] = None,
     ) -> Samples:
         """Values at places, (k, 2) in the plane, or on a raster: see ahd_sample. `values`: arrays with one row of
         float64 for each output point, C-contiguous. `method`: SAMPLE_...; `outside`: OUTSIDE_...; `gradients`: with
-        SAMPLE_LINEAR the slopes too. Memory is asked for when the library has said that it is enough: of
-        make(places), which returns Samples to be filled."""
+        SAMPLE_LINEAR the slopes too; without `has_mask` the mask is empty. Memory is asked for when the library has
+        said that it is enough, unless it is little: of make(places), which returns Samples to be filled."""
         at, count, owners = _places_of(places)
         values = tuple(values)
+        if self._rows < 0:
+            self._rows = self.count("points")
         for array in values:
-            if array.dtype != np.float64 or not array.flags.c_contiguous or len(array) != self.count("points"):
-                raise BadInput("values: one row of float64 for each of %d points" % self.count("points"), BAD_ARRAY)
+            if array.dtype != np.float64 or not array.flags.c_contiguous or len(array) != self._rows:
+                raise BadInput("values: one row of float64 for each of %d points" % self._rows, BAD_ARRAY)
         columns = [1 if array.ndim == 1 else array.shape[1] for array in values]
         numbers = sum(columns)
-        with self._sampling(method, outside, count * (8 * numbers * (3 if gradients else 1) + 1)):
-            self._check(C.ahd_sample_estimate(self._handle, at, numbers, ctypes.c_uint64()))
+        self._sample_by(method, outside)
+
+        def find() -> Samples:
             if make is not None:
                 out, slopes, mask = make(count)
             else:
                 out = [np.empty((count, n)) for n in columns]
                 slopes = [np.empty((count, 2 * n)) if gradients else None for n in columns]
-                mask = np.empty(count, np.uint8)
-            arrays = (Sampled * len(columns))(
-                *(
-                    (array.ctypes.data, n, to.ctypes.data, None if slope is None else slope.ctypes.data)
-                    for array, n, to, slope in zip(values, columns, out, slopes)
-                )
-            )
-            self._call(C.ahd_sample, at, arrays, len(columns), mask.ctypes.data, arrays=(*owners, *values))
+                mask = np.empty(count, np.uint8) if has_mask else NO_MASK
+            arrays = array_type(Sampled, len(columns))()
+            for one, array, n, to, slope in zip(arrays, values, columns, out, slopes):
+                one.values, one.columns, one.out = array.ctypes.data, n, to.ctypes.data
+                one.gradients = None if slope is None else slope.ctypes.data
+            marks = None if mask is NO_MASK else mask.ctypes.data
+            is_short = self.hasTables and count * numbers <= FEW and method in (SAMPLE_LINEAR, SAMPLE_NEAREST)
+            self._call(C.ahd_sample, at, arrays, len(columns), marks, arrays=(*owners, *values), is_short=is_short)
+            return Samples(out, slopes, mask)
+
+        needed = count * (8 * numbers * (3 if gradients else 1) + 1)
+        if needed <= FEW_BYTES and make is None:
+            found = find()
+        else:
+            with self._with_memory(needed):
+                self._check(C.ahd_sample_estimate(self._handle, at, numbers, ctypes.c_uint64()))
+                found = find()
         self.hasTables = True
-        return Samples(out, slopes, mask)
+        return found
 
     def sample_estimate_before(self, points: int, places: Union[int, Raster], columns: int, fills: bool) -> int:
         """Upper estimate of what sampling takes on a triangulation of so many points with its tables, at so many places
@@ -399,8 +429,8 @@ class Job:
     def sample_weights(self, places: Union[np.ndarray, Raster], method: int = SAMPLE_LINEAR) -> None:
         """Makes the arrays weight_offsets, weight_points and weights: see ahd_sample_weights."""
         at, _, owners = _places_of(places)
-        with self._sampling(method, False, 0):
-            self._call(C.ahd_sample_weights, at, arrays=owners)
+        self._sample_by(method, OUTSIDE_NO_VALUE)
+        self._call(C.ahd_sample_weights, at, arrays=owners)
         self.hasTables = True
 
 
@@ -460,11 +490,7 @@ def give_back(job: Job) -> None:
     """Keeps the memory of an unused job, at most REUSE_LIMIT bytes, for the next one: asking the
     system for it takes a tenth of the time of 10^6 points. The job has nothing after that; if it is at work, it keeps
     all."""
-    try:
-        job.reset(REUSE_LIMIT)
-    except EngineError:
-        return
-    if not job.wasCancelled:
+    if job.reset(REUSE_LIMIT):
         _spare.append(job.hand_on())
         del _spare[1:]
 

@@ -43,8 +43,7 @@ class Made:
     _told: Set[str]  # announced to the job before it ran
     _cached: Dict[str, Any]  # the results
     _fingerprint: Fingerprint  # of the input when the job ran first
-    _counts: Dict[str, int]
-    _measures: Dict[str, float]
+    _counts: Any  # Dict[str, int]
 
     def _start(self, request: Request, id_dtype: Any) -> None:
         self._request = request

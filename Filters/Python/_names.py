@@ -40,9 +40,13 @@ def by_any_name() -> Callable[[Function], Function]:
         signature = inspect.signature(function)
         others = {pair[1 - k]: pair[k] for pair in KEYWORDS for k in range(2) if pair[k] in signature.parameters}
 
+        names = frozenset(others)
+
         @functools.wraps(function)
         def call(*arguments: Any, **keywords: Any) -> Any:
-            for other in others.keys() & keywords.keys():
+            if names.isdisjoint(keywords):
+                return function(*arguments, **keywords)
+            for other in names & keywords.keys():
                 name = others[other]
                 if name in keywords or name in list(signature.parameters)[: len(arguments)]:
                     raise TypeError("%s() got %s and %s, which are two names for one argument" % (

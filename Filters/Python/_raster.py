@@ -87,6 +87,8 @@ class Raster:
 
 def unmasked(name: str, given: Any) -> np.ndarray:
     """The array; a masked array only without masked values. TypeError."""
+    if type(given) is np.ndarray:
+        return given
     parts = given if isinstance(given, (list, tuple)) else (given,)
     if any(isinstance(part, np.ma.MaskedArray) and np.ma.is_masked(part) for part in parts):
         raise TypeError("%s are a masked array, whose mask would be lost: use NaN for missing numbers" % name)

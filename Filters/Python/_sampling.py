@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -272,16 +273,17 @@ class Sampled(Made):
             raise ValueError("outside must be a number, 'nearest' or 'boundary', not %r" % (outside,))
         places, shape = places_of(at)
         given = _numbers_of(values, self._counts, "biufc")
-        if not isinstance(outside, str):
+        if not isinstance(outside, str) and outside is not np.nan:
             check_outside("outside", outside, ", 'nearest' or 'boundary'", given.dtype.kind)
+        isFilled = not isinstance(outside, str) and not _is_nan(outside)
         ofZ = self._columns_of_z(given)
         rows = self._for_points(given, ofZ) if self._counts["added_points"] or len(ofZ) else given
         dtype = np.dtype(np.complex128 if given.dtype.kind == "c" else np.float64)
         flat = np.ascontiguousarray(rows, dtype).reshape(len(rows), _product(given.shape[1:]))
         with self._locked():
-            found = self._sampled(places, flat.view(np.float64), chosen, fills, gradient, progress)
+            found = self._sampled(places, flat.view(np.float64), chosen, fills, gradient, progress, isFilled)
         made = found.values[0].view(dtype)
-        if not isinstance(outside, str) and not _is_nan(outside):
+        if isFilled:
             made[found.mask == 0] = outside
         made = made.reshape(shape + given.shape[1:])
         return (made, _slopes(found.gradients[0], dtype).reshape(made.shape + (2,))) if gradient else made
@@ -290,7 +292,7 @@ class Sampled(Made):
         """The id of the point nearest to each place, (k, 2); NaN where there is none."""
         ids = self._made("ids", lambda: np.arange(self._counts["points"], dtype=np.float64)[:, None])
         with self._locked():
-            found = self._sampled(np.ascontiguousarray(places), ids, library.SAMPLE_NEAREST, 0, False, None)
+            found = self._sampled(np.ascontiguousarray(places), ids, library.SAMPLE_NEAREST, 0, False, None, False)
         made: np.ndarray = found.values[0].reshape(-1)
         return made
 
@@ -336,6 +338,7 @@ class Sampled(Made):
         outside: int,
         gradient: bool,
         progress: Optional[ProgressFunction],
+        mask: bool,
     ) -> library.Samples:
         """Requires: the lock."""
         job = self._for_places()
@@ -344,7 +347,7 @@ class Sampled(Made):
             tell = progress
             job.set_progress(lambda phase, fraction: tell(library.PHASES[phase], fraction) and None)
         try:
-            return job.sample(places, [rows], method=method, outside=outside, gradients=gradient)
+            return job.sample(places, [rows], method=method, outside=outside, gradients=gradient, has_mask=mask)
         finally:
             job.set_progress(None)
 
@@ -354,7 +357,7 @@ def _is_nan(number: Any) -> bool:
 
 
 def _product(numbers: Tuple[int, ...]) -> int:
-    return int(np.prod(numbers, dtype=np.int64))
+    return math.prod(numbers)
 
 
 def _slopes(found: np.ndarray, dtype: Any) -> np.ndarray:

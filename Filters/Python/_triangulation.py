@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import functools
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Callable, Dict, Iterable, Mapping, Optional, Sequence, Tuple, Union
 
@@ -16,6 +17,9 @@ from ._results import Boxes, Location, Voronoi, chained
 from ._raster import real_numbers, unmasked
 from ._sampling import Sampled
 from ._warnings import warn
+
+
+_TRIANGLES = library.names(library.COUNTS).index("triangles")
 
 
 def _arrays_of(made: Any) -> Iterable[np.ndarray]:
@@ -69,11 +73,20 @@ class Triangulation(Sampled):
         self._start(request, id_dtype)
         self._fingerprint = request.fingerprint()  # before the run, in which the input may change, too
         job = self._run(set(wanted), progress)
-        self._counts, self._measures = job.counts(), job.measures()
-        self._cached["triangles"] = frozen(job.array("triangles", self._dtype))
+        self._numbers = job.numbers(library.COUNTS), job.numbers(library.MEASURES)
+        triangles = np.empty((self._numbers[0][_TRIANGLES], 3), self._dtype)
+        self._cached["triangles"] = frozen(job.array("triangles", out=triangles))
         for name in wanted:
             self.voronoi() if name == "voronoi" else getattr(self, name)
         job.set_progress(None)
+
+    @functools.cached_property
+    def _counts(self) -> Dict[str, int]:  # type: ignore[override]
+        return dict(zip(library.names(library.COUNTS), self._numbers[0]))
+
+    @functools.cached_property
+    def _measures(self) -> Dict[str, float]:
+        return dict(zip(library.names(library.MEASURES), self._numbers[1]))
 
     def _of_triangles(self, name: str, dtype: Any = None) -> np.ndarray:
         """Rows of an array of cells that are triangles."""
@@ -367,8 +380,9 @@ class Triangulation(Sampled):
         with self._locked():
             job = self._for_places()
             kinds, corners, cells = job.locate(places)
-        triangles = np.where(cells < 0, -1, cells - self._others)
-        return Location(kinds, triangles.astype(self._dtype), corners.astype(self._dtype))
+        if self._others:
+            cells = np.where(cells < 0, -1, cells - self._others)
+        return Location(kinds, cells.astype(self._dtype), corners.astype(self._dtype))
 
     @property
     def counts(self) -> Mapping[str, int]:
@@ -414,6 +428,9 @@ class Triangulation(Sampled):
                 frozen(array)
 
 
+_IDS = frozenset((np.dtype(np.int32), np.dtype(np.int64)))  # of the machine's byte order
+
+
 def triangulate(
     points: Any,
     segments: Any,
@@ -429,7 +446,7 @@ def triangulate(
 ) -> Triangulation:
     """`delaunay`, with the settings that are one number or word each."""
     dtype = np.dtype(id_dtype)
-    if dtype not in (np.int32, np.int64) or not dtype.isnative:
+    if dtype not in _IDS:
         raise TypeError("id_dtype must be numpy.int32 or numpy.int64, not %s" % dtype)
     wanted = (want,) if isinstance(want, str) else tuple(want)
     for name in wanted:
@@ -440,5 +457,5 @@ def triangulate(
     chains = {"segments": segments, "lines": lines, "loops": loops}
     request = Request(points, skip, source_points, chains, plane, settings)
     made = Triangulation(request, dtype, wanted, progress)
-    warn(made._job, {"plane_was_chosen": int(request.plane_was_chosen)})
+    warn(made._job, {"plane_was_chosen": 1} if request.plane_was_chosen else {})
     return made

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Memory.h"
 
+#include "Clock.h"
+
 #include <algorithm>
+#include <atomic>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -154,6 +157,22 @@ std::size_t availableMemory()
 #else
   return availableMemoryBy("/proc/meminfo", "/sys/fs/cgroup");
 #endif
+}
+
+std::size_t availableMemoryFor(std::size_t bytes)
+{
+  constexpr std::size_t kFew = std::size_t(1) << 24;
+  constexpr double kSeconds = 0.1;
+  // Each is good on its own: of two threads that read at once, either has just been there.
+  static std::atomic<std::size_t> read{ 0 };
+  static std::atomic<double> readAt{ 0.0 };
+  const double now = steadySeconds();
+  if (bytes > kFew || read < 64 * kFew || !(now - readAt < kSeconds))
+  {
+    read = availableMemory();
+    readAt = now;
+  }
+  return read;
 }
 
 std::size_t availableMemoryBy(const std::string& meminfo, const std::string& groups)

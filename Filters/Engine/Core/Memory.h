@@ -21,6 +21,10 @@ namespace ahd
 /// where nothing is known. For callers that set limits; the engine itself does not use it.
 std::size_t availableMemory();
 
+/// The same, to decide about so many bytes. For at most 16 MiB, of what was at least a gibibyte, a
+/// reading up to a tenth of a second old is enough: a new one takes longer than such work.
+std::size_t availableMemoryFor(std::size_t bytes);
+
 /// The same from other files: `meminfo` in place of
 /// /proc/meminfo, and the folder `groups` in place of /sys/fs/cgroup. For tests.
 std::size_t availableMemoryBy(const std::string& meminfo, const std::string& groups);

@@ -42,6 +42,12 @@ public:
   /// The keys of one block in ascending order, until the next call. @pre at most kMostKeys.
   const Key* sorted(const std::vector<KeyPiece>& pieces)
   {
+    if (pieces.size() == 1 && pieces[0].count <= kFewKeys)
+    {
+      Key* const end = std::copy_n(pieces[0].keys, pieces[0].count, sorted_.data());
+      std::sort(sorted_.data(), end);
+      return sorted_.data();
+    }
     place(pieces);
     std::size_t begin = 0;
     for (const std::size_t end : ends_)
@@ -57,6 +63,7 @@ public:
   }
 
 private:
+  static constexpr std::size_t kFewKeys = 64; ///< sorted before all ends have been looked at
   static constexpr std::size_t kWindow =
     8; ///< keys looked at beyond the first of a vertex, at most
 

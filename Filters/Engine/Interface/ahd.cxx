@@ -87,7 +87,7 @@ ahd_status call(ahd_job* job, const Work& work)
     job->said = "The job is at work: a callback of its can call ahd_cancel() only.";
     return AHD_BUSY;
   }
-  job->job.progress.beginCall();
+  job->job.progress.beginCall(job->job.settings[ahd::DoubleSetting::ProgressDelay]);
   const ahd_status status = guarded(*job, work);
   job->job.progress.endCall(status == AHD_CANCELLED);
   job->isBusy = false;
@@ -228,6 +228,11 @@ ahd_status ahd_release(ahd_job* job, uint64_t most)
   return call(job, [=](ahd::Job& own) { own.release(static_cast<std::size_t>(most)); });
 }
 
+ahd_status ahd_reset(ahd_job* job, uint64_t most)
+{
+  return call(job, [=](ahd::Job& own) { own.reset(static_cast<std::size_t>(most)); });
+}
+
 ahd_status ahd_to_plane(ahd_job* job, double* xyz, uint64_t count)
 {
   return call(job,
@@ -265,6 +270,26 @@ ahd_status ahd_count(ahd_job* job, const char* name, int64_t* value)
 ahd_status ahd_measure(ahd_job* job, const char* name, double* value)
 {
   return give(job, value, "value", [=](ahd::Job& own) { return ahd::measureOf(own, name); });
+}
+
+ahd_status ahd_counts(ahd_job* job, int64_t* values, uint64_t capacity)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      mustHave(values, "values");
+      ahd::writeCounts(own, values, capacity);
+    });
+}
+
+ahd_status ahd_measures(ahd_job* job, double* values, uint64_t capacity)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      mustHave(values, "values");
+      ahd::writeMeasures(own, values, capacity);
+    });
 }
 
 ahd_status ahd_array_size(ahd_job* job, const char* name, uint64_t* rows, uint64_t* columns)
@@ -356,8 +381,12 @@ ahd_status ahd_sample_weights(ahd_job* job, const ahd_places* places)
 uint64_t ahd_say(ahd_job* job, int32_t topic, int32_t words, const ahd_fact* facts, uint64_t count,
   char* out, uint64_t capacity)
 {
+  if (!job)
+  {
+    ahd_job none;
+    return ahd_say(&none, topic, words, facts, count, out, capacity);
+  }
   std::string said;
-  ahd_job none;
   const auto say = [&](ahd::Job& own)
   {
     if (words < AHD_WORDS_OF_C || words > AHD_WORDS_OF_NUMPY)
@@ -373,14 +402,14 @@ uint64_t ahd_say(ahd_job* job, int32_t topic, int32_t words, const ahd_fact* fac
       fact.real = facts[k].real != 0.0 ? facts[k].real : fact.real;
       known.add(std::move(fact));
     }
-    known = job ? ahd::factsOf(own, std::move(known)) : std::move(known);
+    known = ahd::factsOf(own, std::move(known));
     for (const ahd::Message& one : ahd::messages(ahd::Topic(topic), ahd::Wording(words), known))
     {
       said += one.name + std::string(1, '\0') + one.text + '\0';
     }
     said += '\0';
   };
-  if (call(job ? job : &none, say) != AHD_OK)
+  if (call(job, say) != AHD_OK)
   {
     return 0;
   }

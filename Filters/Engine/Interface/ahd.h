@@ -251,6 +251,7 @@ AHD_API const char* ahd_message(const ahd_job* job);
  *   offset           1        0.75 to 1.7e308: distance of the bounding points, in diagonals
  *   alpha            0        0 to infinity: largest circumradius in space; 0: no limit
  *   maximum_edge_length  0    0 to infinity: of edges in the plane; 0: no limit
+ *   progress_delay   0        seconds, 0 to infinity: no report in the first so many of a call
  *
  * AHD_UNKNOWN_NAME, AHD_BAD_VALUE (NaN too); ahd_get_...: AHD_BAD_ARRAY if `value` is null. */
 AHD_API ahd_status ahd_set_int(ahd_job* job, const char* name, int64_t value);
@@ -295,7 +296,7 @@ AHD_API ahd_status ahd_set_projection(ahd_job* job, ahd_projection projection, v
 
 /* Reports the phase, and the fraction of the run and of writing the announced arrays that is done:
  * 0 to 1, never falling. Called on the calling thread when a phase begins, at each hundredth, and
- * at least ten times a second. Non-zero cancels. Null: no reports. */
+ * at least ten times a second; not within progress_delay. Non-zero cancels. Null: no reports. */
 typedef int32_t (*ahd_progress)(void* user, int32_t phase, double fraction);
 AHD_API ahd_status ahd_set_progress(ahd_job* job, ahd_progress progress, void* user);
 
@@ -318,6 +319,8 @@ AHD_API uint64_t ahd_kept_bytes(ahd_job* job);
  * kept in all: then it is returned to the system. Settings and input stay, and the counts that are
  * known after every run. */
 AHD_API ahd_status ahd_release(ahd_job* job, uint64_t most);
+/* The same, and makes the job as new: default settings, no input, no callbacks. */
+AHD_API ahd_status ahd_reset(ahd_job* job, uint64_t most);
 
 /* The plane that fits the input points best, without a run: a (4, 4) matrix, row by row, that moves
  * points to the plane (x, y) and their height above it. AHD_CANCELLED, AHD_OUT_OF_MEMORY. */
@@ -389,6 +392,10 @@ AHD_API ahd_status ahd_choose_plane(ahd_job* job, int64_t* plane);
  * AHD_UNKNOWN_NAME, AHD_NOT_AVAILABLE, AHD_BAD_ARRAY if `value` is null. */
 AHD_API ahd_status ahd_count(ahd_job* job, const char* name, int64_t* value);
 AHD_API ahd_status ahd_measure(ahd_job* job, const char* name, double* value);
+/* All of them, in the order of ahd_name(). AHD_NOT_AVAILABLE if there is no result; AHD_BAD_ARRAY
+ * if `capacity`, the numbers that there is room for, is too small. */
+AHD_API ahd_status ahd_counts(ahd_job* job, int64_t* values, uint64_t capacity);
+AHD_API ahd_status ahd_measures(ahd_job* job, double* values, uint64_t capacity);
 
 /* --- Results: arrays -------------------------------------------------------------------------
  *

@@ -5,6 +5,7 @@
 #include "Refusal.h"
 #include "ReportRows.h"
 
+#include <algorithm>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -42,6 +43,32 @@ constexpr ResultRow<double> kMeasures[] = {
 {
   refuse(Reason::UnknownName,
     "There is no " + std::string(kind) + " \"" + std::string(name ? name : "(null)") + "\".");
+}
+
+/// With the seconds of later calls, too.
+RunReport reportNow(const Job& job)
+{
+  RunReport report = job.report();
+  report.seconds = job.progress.seconds();
+  return report;
+}
+
+void checkRoom(std::size_t needed, std::uint64_t capacity)
+{
+  if (capacity < needed)
+  {
+    refuse(Reason::BadArray,
+      "There are " + std::to_string(needed) + " numbers, and room for " + std::to_string(capacity) +
+        ".");
+  }
+}
+
+/// The numbers of all rows; returns the end of what is written.
+template <typename Rows, typename Report, typename Number>
+Number* writeRows(const Rows& rows, const Report& report, Number* values)
+{
+  return std::transform(std::begin(rows), std::end(rows), values,
+    [&](const auto& row) { return static_cast<Number>(row.get(report)); });
 }
 
 /// The name of row `number` of all these tables, one after the other; null past the last.
@@ -88,15 +115,30 @@ double measureOf(Job& job, const char* name)
   if (const auto* const row = findRow(kMeasureRows, wanted))
   {
     job.result(); // or refuses
-    RunReport report = job.report();
-    report.seconds = job.progress.seconds(); // later calls included
-    return row->get(report);
+    return row->get(reportNow(job));
   }
   if (const auto* const row = findRow(kMeasures, wanted))
   {
     return row->get(job.result());
   }
   refuseName("measure", name);
+}
+
+void writeCounts(Job& job, std::int64_t* values, std::uint64_t capacity)
+{
+  const JobResult& made = job.result();
+  checkRoom(std::size(kCountRows) + std::size(kCounts) + std::size(kSampleRows), capacity);
+  values = writeRows(kCountRows, job.report(), values);
+  values = writeRows(kCounts, made, values);
+  writeRows(kSampleRows, made.sampling.report, values);
+}
+
+void writeMeasures(Job& job, double* values, std::uint64_t capacity)
+{
+  const JobResult& made = job.result();
+  checkRoom(std::size(kMeasureRows) + std::size(kMeasures), capacity);
+  values = writeRows(kMeasureRows, reportNow(job), values);
+  writeRows(kMeasures, made, values);
 }
 
 Facts factsOf(const Job& job, Facts known)

@@ -42,6 +42,16 @@ void Job::release(std::size_t most)
   }
 }
 
+void Job::reset(std::size_t most)
+{
+  release(most);
+  settings = JobSettings();
+  arrays = InputArrays();
+  setProjection(nullptr, nullptr);
+  progress.setCallback(nullptr, nullptr);
+  report_ = RunReport();
+}
+
 void Job::run()
 {
   release(std::size_t(-1));

@@ -61,6 +61,8 @@ public:
   void run();
   std::size_t keptBytes() const { return workspace_.bytes(); }
   void release(std::size_t most);
+  /// Makes it as new, but for at most so many bytes of working memory.
+  void reset(std::size_t most);
   void fitPlane(double* matrix);
   /// The fitted plane if the input points stand like a wall in x, y (Stance), else that of x, y.
   PlaneKind choosePlane()

@@ -33,10 +33,11 @@ void JobProgress::endApart()
   done_ = told_ = doneOfRun_;
 }
 
-void JobProgress::beginCall()
+void JobProgress::beginCall(double delay)
 {
   stopped_ = false;
   toldAt_ = now();
+  silentUntil_ = delay > 0.0 ? toldAt_ + delay : 0.0;
 }
 
 void JobProgress::endCall(bool wasCancelled)
@@ -67,7 +68,7 @@ void JobProgress::beginPhase(Phase phase)
 /// Once it has cancelled, it is not called again.
 void JobProgress::tell(double done, Phase phase)
 {
-  if (!callback_ || stopped_)
+  if (!callback_ || stopped_ || (silentUntil_ > 0.0 && now() < silentUntil_))
   {
     return;
   }

@@ -29,8 +29,9 @@ public:
   /// work until its end.
   void beginApart(const std::vector<double>& weights);
   void endApart();
-  /// A call begins. It is not cancelled, except by an earlier cancel().
-  void beginCall();
+  /// A call begins. It is not cancelled, except by an earlier cancel(). `delay`: seconds in which
+  /// nothing is reported.
+  void beginCall(double delay);
   /// The call, and the time of its last phase, ends. `wasCancelled`: by cancel().
   void endCall(bool wasCancelled);
 
@@ -56,7 +57,8 @@ private:
   void* user_ = nullptr;
   Stages stagesOfRun_; ///< during work apart from it, and its fraction
   double doneOfRun_ = 0.0;
-  bool stopped_ = false; ///< by the callback
+  bool stopped_ = false;     ///< by the callback
+  double silentUntil_ = 0.0; ///< if there is a delay, else 0
   std::atomic<bool> cancelled_{ false };
 };
 

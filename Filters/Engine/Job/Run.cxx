@@ -68,7 +68,7 @@ Status Run::checkMemory(std::size_t limit, std::size_t held)
   {
     workspace_.release();
   }
-  const std::size_t available = limit > 0 ? 0 : availableMemory();
+  const std::size_t available = limit > 0 ? 0 : availableMemoryFor(report_.estimate);
   report_.allowed = limit > 0
     ? limit
     : available + std::min(held + workspace_.bytes(), ~available); // no overflow
@@ -77,25 +77,36 @@ Status Run::checkMemory(std::size_t limit, std::size_t held)
   {
     return end(Status::OutOfMemory);
   }
-  report_.mostBoxes = mostThatFit(kTooManyBoxes,
-    [this](std::size_t count)
-    {
-      report_.boxes = count;
-      return fits();
-    });
-  report_.boxes = 0;
-  // The number that fits in memory with all that follows from them.
-  const std::size_t points = report_.points;
-  report_.mostCrossings = mostThatFit(kMaximumPoints + 1,
-    [this, points](std::size_t count)
-    {
-      report_.crossings = count;
-      report_.points = points + count;
-      return fits();
-    });
-  report_.crossings = 0;
-  report_.points = points;
+  limitCounts();
   return Status::Ok;
+}
+
+/// Finds how many there may be, with all that follows from them, of what the run may make.
+void Run::limitCounts()
+{
+  if (settings_.options.keepBoxes)
+  {
+    report_.mostBoxes = mostThatFit(kTooManyBoxes,
+      [this](std::size_t count)
+      {
+        report_.boxes = count;
+        return fits();
+      });
+    report_.boxes = 0;
+  }
+  if (report_.segments > 0)
+  {
+    const std::size_t points = report_.points;
+    report_.mostCrossings = mostThatFit(kMaximumPoints + 1,
+      [this, points](std::size_t count)
+      {
+        report_.crossings = count;
+        report_.points = points + count;
+        return fits();
+      });
+    report_.crossings = 0;
+    report_.points = points;
+  }
 }
 
 /// Calls a function that requests memory while it runs, up to all that is available. `asked`: of
@@ -182,8 +193,10 @@ Status Run::prepare(const Open& open, RunResult& made)
   InputRequest request = open();
   request.mostCrossings = report_.mostCrossings;
   surface_ = request.surface;
-  const Status status = withAsking(
-    report_.askedToSplit, [&] { return ahd::prepare(request, context_, made.points); });
+  const auto work = [&] { return ahd::prepare(request, context_, made.points); };
+  const bool mayAsk = settings_.tolerance > 0.0 || report_.segments > 0 || surface_.count > 0 ||
+    request.sourcePoints.count > 0;
+  const Status status = mayAsk ? withAsking(report_.askedToSplit, work) : work();
   if (status == Status::TooManyCrossings)
   {
     report_.crossings = report_.mostCrossings + 1;

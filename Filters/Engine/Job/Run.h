@@ -126,6 +126,7 @@ private:
   bool fits() const { return estimate() <= report_.allowed; }
   Status end(Status status);
   Status withAsking(std::size_t& asked, const std::function<Status()>& call);
+  void limitCounts();
   Status prepare(const Open& open, RunResult& made);
   Status triangulate(RunResult& made);
   Status makeVoronoi(const Lend& lend, RunResult& made);

@@ -96,7 +96,7 @@ void Sampling::checkMemory(std::size_t bytes) const
   const SampleWeights& before = kept_.weights; // stay until others are there
   const std::size_t held = job_.report().estimate - made_.otherMemory + before.offsets.bytes() +
     before.points.bytes() + before.weights.bytes();
-  const std::size_t allowed = limit > 0 ? limit - std::min(limit, held) : availableMemory();
+  const std::size_t allowed = limit > 0 ? limit - std::min(limit, held) : availableMemoryFor(bytes);
   if (bytes > allowed)
   {
     refuse(Reason::MemoryLimit,

@@ -58,7 +58,8 @@ enum class DoubleSetting : std::size_t
   Tolerance,
   Offset,
   Alpha,
-  MaximumEdgeLength
+  MaximumEdgeLength,
+  ProgressDelay
 };
 
 template <typename Number>
@@ -114,6 +115,7 @@ constexpr SettingRow<double> kDoubleRows[] = {
   { "offset", 1.0, 0.75, 1.7e+308 },
   { "alpha", 0.0, 0.0, std::numeric_limits<double>::infinity() },
   { "maximum_edge_length", 0.0, 0.0, std::numeric_limits<double>::infinity() },
+  { "progress_delay", 0.0, 0.0, std::numeric_limits<double>::infinity() },
 };
 
 template <typename Setting, typename Number>

@@ -104,6 +104,7 @@ TEST(AvailableMemory, KeepsToTheAddressSpace)
   constexpr std::size_t kRoom = std::size_t(200) << 20;
   rlimit before;
   ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
+  EXPECT_GT(availableMemoryFor(1), kRoom) << "a reading that is kept";
   // The least limit that is above what is taken: no more is left under it than it was raised by.
   rlimit limit = before;
   limit.rlim_cur = kRoom;
@@ -112,9 +113,12 @@ TEST(AvailableMemory, KeepsToTheAddressSpace)
     limit.rlim_cur += kRoom;
   }
   const std::size_t left = availableMemory();
+  const std::size_t forMany = availableMemoryFor(kRoom), forFew = availableMemoryFor(1);
   setrlimit(RLIMIT_AS, &before);
   EXPECT_GT(left, 0u);
   EXPECT_LE(left, kRoom);
+  EXPECT_LE(forMany, kRoom) << "read anew, however old the one before is";
+  EXPECT_LE(forFew, kRoom) << "that is kept, as it is little";
   EXPECT_GT(availableMemory(), kRoom) << "the limit is gone";
 }
 #endif

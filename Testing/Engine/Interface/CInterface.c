@@ -79,6 +79,7 @@ int main(void)
   test_messages();
   test_trouble();
   test_unchanged();
+  test_at_once();
   if (ahd_failures > 0)
   {
     fprintf(stderr, "%d checks failed.\n", ahd_failures);

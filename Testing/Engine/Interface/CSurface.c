@@ -264,7 +264,7 @@ static void test_what_cannot_be(void)
   for (i = 0; (name = ahd_name(AHD_DOUBLE_SETTINGS, i)); ++i) /* limits, which are off at 0 */
   {
     CHECK_OK(job, ahd_get_double(job, name, &before));
-    if (before == 0)
+    if (before == 0 && strcmp(name, "progress_delay") != 0)
     {
       CHECK_OK(job, ahd_set_double(job, name, 0.1));
       CHECK_STATUS(job, AHD_BAD_VALUE, ahd_run(job));

@@ -76,5 +76,6 @@ void test_given_surface(void);
 void test_messages(void);
 void test_trouble(void);
 void test_unchanged(void);
+void test_at_once(void);
 
 #endif

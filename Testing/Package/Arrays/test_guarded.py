@@ -77,7 +77,7 @@ def guard():
         if name.startswith("adaptivehilbertdelaunay._") and hasattr(module, "np"):
             module.np = Numpy()
     given = library.Job.set_array
-    library.Job.set_array = lambda job, name, array: given(job, name, None if array is None else copy(array))
+    library.Job.set_array = lambda job, name, array, _=None: given(job, name, None if array is None else copy(array))
 
 
 class GuardTest(unittest.TestCase):

@@ -86,6 +86,7 @@ class HeaderTest(unittest.TestCase):
             "alpha_triangles": "kinds are arrays of their own", "alpha_lines": "", "alpha_vertices": "",
             "want_curve": "for VTK's drawing",
             "other_memory": "for VTK's arrays", "other_memory_per_point": "",
+            "progress_delay": "set for Ctrl-C",
             "sample_method": "Triangulation.interpolate", "sample_outside": "",
         }  # fmt: skip
         names = {"split_crossings": "crossings", "closed_lines": "closed_lines_are_loops"}
