@@ -5,6 +5,7 @@
 #include "Engine/Job/ReportRows.h"
 #include "Engine/Job/Settings.h"
 #include "Pipeline/vtkAHDAttributes.h"
+#include "Pipeline/vtkAHDMeasuresText.h"
 #include "Pipeline/vtkAHDSetters.h"
 #include "Pipeline/vtkAHDSettingsOfRanks.h"
 
@@ -37,8 +38,6 @@ void vtkAdaptiveHilbertAlgorithm::SetOffset(double value)
 
 void vtkAdaptiveHilbertAlgorithm::ClearMeasures()
 {
-  this->NumberOfThreadsUsed = 0;
-  this->MemoryEstimate = 0;
   this->NumberOfTriangles = 0;
   this->NumberOfPointsInserted = 0;
   this->NumberOfDuplicates = 0;
@@ -59,6 +58,8 @@ void vtkAdaptiveHilbertAlgorithm::ClearMeasures()
   this->InsertSeconds = 0.0;
   this->ConstrainSeconds = 0.0;
   this->OutputSeconds = 0.0;
+  this->NumberOfThreadsUsed = 0;
+  this->MemoryEstimate = 0;
 }
 
 void vtkAdaptiveHilbertAlgorithm::ClearSeconds()
@@ -75,7 +76,6 @@ void vtkAdaptiveHilbertAlgorithm::TakeMeasures(const ahd::RunReport& report)
   { return ahd::findRow(ahd::kCountRows, name)->get(report); };
   const auto measure = [&report](const char* name)
   { return ahd::findRow(ahd::kMeasureRows, name)->get(report); };
-  this->NumberOfThreadsUsed = static_cast<int>(count("threads_used"));
   this->NumberOfTriangles = static_cast<vtkIdType>(count("triangles"));
   this->NumberOfPointsInserted = static_cast<vtkIdType>(count("inserted"));
   this->NumberOfDuplicates = static_cast<vtkIdType>(count("duplicates"));
@@ -97,6 +97,7 @@ void vtkAdaptiveHilbertAlgorithm::TakeMeasures(const ahd::RunReport& report)
   this->InsertSeconds = measure("seconds_insert");
   this->ConstrainSeconds = measure("seconds_split") + measure("seconds_constrain");
   this->OutputSeconds = measure("seconds_extract") + measure("seconds_outputs");
+  this->NumberOfThreadsUsed = static_cast<int>(count("threads_used"));
 }
 
 void vtkAdaptiveHilbertAlgorithm::AddCounts(vtkFieldData* data) const
@@ -147,13 +148,13 @@ void vtkAdaptiveHilbertAlgorithm::GetJobSettings(ahd::JobSettings& settings) con
   settings.set(ahd::IntSetting::Nmax, this->Nmax);
   settings.set(ahd::IntSetting::ControlPoints, this->ControlPoints);
   settings.set(ahd::IntSetting::GeneRotation, this->GeneRotation);
+  settings.set(ahd::IntSetting::CountWork, this->CountWork);
   settings.set(ahd::IntSetting::InsertionLimit, this->InsertionLimit);
   settings.set(ahd::IntSetting::WantInsertionRanks, this->GenerateInsertionRank);
   settings.set(ahd::IntSetting::WantCurve, this->GenerateInsertionCurve);
   settings.set(ahd::IntSetting::WantBoxes, this->GenerateBoxes);
   settings.set(ahd::DoubleSetting::Offset, this->Offset);
   settings.set(ahd::IntSetting::Bounding, this->BoundingTriangulation != 0);
-  settings.set(ahd::IntSetting::CountWork, this->CountWork);
 }
 
 void vtkAdaptiveHilbertAlgorithm::GetSettingsOfRanks(vtkAHDSettingsOfRanks& settings) const
@@ -180,13 +181,13 @@ void vtkAdaptiveHilbertAlgorithm::GetSettingsOfRanks(vtkAHDSettingsOfRanks& sett
     { "Nmax", double(this->Nmax) },
     { "ControlPoints", double(this->ControlPoints) },
     { "GeneRotation", double(this->GeneRotation) },
+    { "CountWork", double(this->CountWork) },
     { "InsertionLimit", double(this->InsertionLimit) },
     { "GenerateInsertionRank", double(this->GenerateInsertionRank) },
     { "GenerateInsertionCurve", double(this->GenerateInsertionCurve) },
     { "GenerateBoxes", double(this->GenerateBoxes) },
     { "Offset", double(this->Offset) },
     { "BoundingTriangulation", double(this->BoundingTriangulation != 0) },
-    { "CountWork", double(this->CountWork) },
   };
   const std::pair<bool, const char*> onOneRank[] = {
     { this->Alpha > 0, "Alpha" },
@@ -194,11 +195,11 @@ void vtkAdaptiveHilbertAlgorithm::GetSettingsOfRanks(vtkAHDSettingsOfRanks& sett
     { this->GenerateRegionIds, "GenerateRegionIds" },
     { this->GenerateNeighbors, "GenerateNeighbors" },
     { this->GenerateVoronoi, "GenerateVoronoi" },
+    { this->CountWork, "CountWork" },
     { this->InsertionLimit > 0, "InsertionLimit" },
     { this->GenerateInsertionRank, "GenerateInsertionRank" },
     { this->GenerateInsertionCurve, "GenerateInsertionCurve" },
     { this->GenerateBoxes, "GenerateBoxes" },
-    { this->CountWork, "CountWork" },
   };
   for (const auto& setting : onOneRank)
   {
@@ -207,6 +208,41 @@ void vtkAdaptiveHilbertAlgorithm::GetSettingsOfRanks(vtkAHDSettingsOfRanks& sett
       settings.OnOneRank.push_back(setting.second);
     }
   }
+}
+
+std::string vtkAdaptiveHilbertAlgorithm::GetMeasures()
+{
+  return vtkAHDMeasuresText({
+    { "triangles", double(this->NumberOfTriangles), 0, false },
+    { "points in the surface", double(this->NumberOfPointsInserted), 0, false },
+    { "duplicates left out", double(this->NumberOfDuplicates), 0, false },
+    { "points merged", double(this->NumberOfMergedPoints), 0, false },
+    { "points added", double(this->NumberOfAddedPoints), 0, false },
+    { "points rejected (NaN or infinite)", double(this->NumberOfRejectedPoints), 0, false },
+    { "points skipped (ghost or hidden)", double(this->NumberOfSkippedPoints), 0, false },
+    { "points beyond the limit", double(this->NumberOfPointsBeyondLimit), 0, false },
+    { "edges of the source", double(this->NumberOfConstraintEdges), 0, false },
+    { "crossings in the source", double(this->NumberOfCrossings), 0, false },
+    { "bent segments", double(this->NumberOfBentConstraints), 0, false },
+    { "segments left out", double(this->NumberOfConstraintsLeftOut), 0, false },
+    { "outlines that bound nothing", double(this->NumberOfUnfilledLoops), 0, false },
+    { "flat triangles trimmed", double(this->NumberOfTrimmedTriangles), 0, false },
+    { "triangles tested a point (NP)", double(this->NP), -1, true },
+    { "removed a point (NR)", double(this->NR), -1, true },
+  });
+}
+
+std::string vtkAdaptiveHilbertAlgorithm::GetResources()
+{
+  return vtkAHDMeasuresText({
+    { "s to sort", double(this->SortSeconds), 0, true },
+    { "s to insert", double(this->InsertSeconds), 0, true },
+    { "s to constrain", double(this->ConstrainSeconds), 0, true },
+    { "s to write", double(this->OutputSeconds), 0, true },
+    { "threads", double(this->NumberOfThreadsUsed), 0, false },
+    { "triangulations so far", double(this->NumberOfTriangulations), 0, false },
+    { "KiB of memory at most", double(this->MemoryEstimate), 0, false },
+  });
 }
 
 void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
@@ -237,6 +273,7 @@ void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Nmax: " << this->Nmax << "\n";
   os << indent << "ControlPoints: " << this->ControlPoints << "\n";
   os << indent << "GeneRotation: " << (this->GeneRotation ? "On\n" : "Off\n");
+  os << indent << "CountWork: " << (this->CountWork ? "On\n" : "Off\n");
   os << indent << "InsertionLimit: " << this->InsertionLimit << "\n";
   os << indent << "GenerateInsertionRank: " << (this->GenerateInsertionRank ? "On\n" : "Off\n");
   os << indent << "GenerateInsertionCurve: " << (this->GenerateInsertionCurve ? "On\n" : "Off\n");
@@ -250,10 +287,6 @@ void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "KeepTriangulation: " << (this->KeepTriangulation ? "On\n" : "Off\n");
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "ReuseLimit: " << this->ReuseLimit << "\n";
-  os << indent << "CountWork: " << (this->CountWork ? "On\n" : "Off\n");
-  os << indent << "NumberOfThreadsUsed: " << this->NumberOfThreadsUsed << "\n";
-  os << indent << "NumberOfTriangulations: " << this->NumberOfTriangulations << "\n";
-  os << indent << "MemoryEstimate: " << this->MemoryEstimate << "\n";
   os << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n";
   os << indent << "NumberOfPointsInserted: " << this->NumberOfPointsInserted << "\n";
   os << indent << "NumberOfDuplicates: " << this->NumberOfDuplicates << "\n";
@@ -274,4 +307,7 @@ void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InsertSeconds: " << this->InsertSeconds << "\n";
   os << indent << "ConstrainSeconds: " << this->ConstrainSeconds << "\n";
   os << indent << "OutputSeconds: " << this->OutputSeconds << "\n";
+  os << indent << "NumberOfThreadsUsed: " << this->NumberOfThreadsUsed << "\n";
+  os << indent << "NumberOfTriangulations: " << this->NumberOfTriangulations << "\n";
+  os << indent << "MemoryEstimate: " << this->MemoryEstimate << "\n";
 }

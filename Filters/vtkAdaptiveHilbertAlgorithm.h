@@ -25,7 +25,7 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <limits> // for defaults that are NaN
-#include <string> // for settings that are names
+#include <string> // for names and texts
 
 namespace ahd
 {
@@ -451,6 +451,16 @@ public:
   ///@}
 
   ///@{
+  /// Count the triangles tested to locate each point (NP) and the triangles removed to insert it
+  /// (NR). Switch it on to compare insertion orders by their work, which is the same on every
+  /// machine, rather than by seconds. Counting takes time, and one thread inserts; it never changes
+  /// the triangles. Off by default.
+  vtkSetMacro(CountWork, bool);
+  vtkGetMacro(CountWork, bool);
+  vtkBooleanMacro(CountWork, bool);
+  ///@}
+
+  ///@{
   /// Stop after this number of points: the surface is the triangulation of these alone. 0, or any
   /// number that is large enough: all points. The insertion settings determine which points come
   /// first. In ParaView move the slider, or animate it, to watch the surface grow: both go from 3,
@@ -603,34 +613,6 @@ public:
   ///@}
 
   ///@{
-  /// Count the triangles tested to locate each point (NP) and the triangles removed to insert it
-  /// (NR). Switch it on to compare insertion orders by their work, which is the same on every
-  /// machine, rather than by seconds. Counting takes time, and one thread inserts; it never changes
-  /// the triangles. Off by default.
-  vtkSetMacro(CountWork, bool);
-  vtkGetMacro(CountWork, bool);
-  vtkBooleanMacro(CountWork, bool);
-  ///@}
-
-  ///@{
-  /// Threads that shared the work of the last run; 1 if there was too little work to share.
-  vtkGetMacro(NumberOfThreadsUsed, int);
-  ///@}
-
-  ///@{
-  /// How often this filter has triangulated since it was created; runs that passed on existing
-  /// triangles do not count.
-  vtkGetMacro(NumberOfTriangulations, int);
-  ///@}
-
-  ///@{
-  /// The most memory, in kibibytes (1024 bytes), that the last run may have needed beyond its
-  /// input, or was refused: the number that is compared with Memory Limit.
-  /// After too many crossings: the estimate for one more than fits.
-  vtkGetMacro(MemoryEstimate, vtkTypeInt64);
-  ///@}
-
-  ///@{
   /// Triangles of the surface, in the last run.
   vtkGetMacro(NumberOfTriangles, vtkIdType);
   ///@}
@@ -746,6 +728,32 @@ public:
   vtkGetMacro(OutputSeconds, double);
   ///@}
 
+  ///@{
+  /// Threads that shared the work of the last run; 1 if there was too little work to share.
+  vtkGetMacro(NumberOfThreadsUsed, int);
+  ///@}
+
+  ///@{
+  /// How often this filter has triangulated since it was created; runs that passed on existing
+  /// triangles do not count.
+  vtkGetMacro(NumberOfTriangulations, int);
+  ///@}
+
+  ///@{
+  /// The most memory, in kibibytes (1024 bytes), that the last run may have needed beyond its
+  /// input, or was refused: the number that is compared with Memory Limit.
+  /// After too many crossings: the estimate for one more than fits.
+  vtkGetMacro(MemoryEstimate, vtkTypeInt64);
+  ///@}
+
+  /// What the last run found, as a text with a line for each number. Numbers that are 0 are left
+  /// out, but for the first. Empty before a run.
+  virtual std::string GetMeasures();
+
+  /// What the last run took, as a text with a line for each number: seconds of wall-clock time,
+  /// threads, memory. Numbers that are 0 are left out, but for the first. Empty before a run.
+  virtual std::string GetResources();
+
 protected:
   vtkAdaptiveHilbertAlgorithm();
   ~vtkAdaptiveHilbertAlgorithm() override;
@@ -794,6 +802,7 @@ protected:
   int Nmax = 50;
   int ControlPoints = EVERY_LEVEL;
   bool GeneRotation = true;
+  bool CountWork = false;
   vtkIdType InsertionLimit = 0;
   bool GenerateInsertionRank = false;
   bool GenerateInsertionCurve = false;
@@ -807,11 +816,8 @@ protected:
   bool KeepTriangulation = true;
   vtkTypeInt64 MemoryLimit = 0;
   vtkTypeInt64 ReuseLimit = 262144;
-  bool CountWork = false;
 
   // Measures of the last execution.
-  int NumberOfThreadsUsed = 0;
-  vtkTypeInt64 MemoryEstimate = 0;
   vtkIdType NumberOfTriangles = 0;
   vtkIdType NumberOfPointsInserted = 0;
   vtkIdType NumberOfDuplicates = 0;
@@ -832,6 +838,8 @@ protected:
   double InsertSeconds = 0.0;
   double ConstrainSeconds = 0.0;
   double OutputSeconds = 0.0;
+  int NumberOfThreadsUsed = 0;
+  vtkTypeInt64 MemoryEstimate = 0;
 
   // Measures of all executions.
   int NumberOfTriangulations = 0;

@@ -4,6 +4,7 @@
 
 #include "Engine/Job/ReportRows.h"
 #include "Pipeline/vtkAHDAttributes.h"
+#include "Pipeline/vtkAHDMeasuresText.h"
 #include "Pipeline/vtkAHDSetters.h"
 #include "Pipeline/vtkAHDSettingsOfRanks.h"
 
@@ -47,7 +48,6 @@ void vtkAdaptiveHilbertInterpolationAlgorithm::SetValidPointMaskArrayName(const 
 
 void vtkAdaptiveHilbertInterpolationAlgorithm::ClearMeasures()
 {
-  this->MemoryEstimate = 0;
   this->NumberOfPlaces = 0;
   this->NumberOfValidPlaces = 0;
   this->NumberOfPlacesOutside = 0;
@@ -55,6 +55,7 @@ void vtkAdaptiveHilbertInterpolationAlgorithm::ClearMeasures()
   this->NumberOfPlacesWithoutValue = 0;
   this->NumberOfPlacesWithNeighborsLeftOut = 0;
   this->SampleSeconds = 0.0;
+  this->MemoryEstimate = 0;
 }
 
 void vtkAdaptiveHilbertInterpolationAlgorithm::AddMeasures(const ahd::SampleReport& report)
@@ -115,6 +116,27 @@ void vtkAdaptiveHilbertInterpolationAlgorithm::GetSettingsOfRanks(
   };
 }
 
+std::string vtkAdaptiveHilbertInterpolationAlgorithm::GetMeasures()
+{
+  return vtkAHDMeasuresText({
+    { "places", double(this->NumberOfPlaces), 0, false },
+    { "on the surface", double(this->NumberOfValidPlaces), 0, false },
+    { "outside", double(this->NumberOfPlacesOutside), 0, false },
+    { "NaN or infinite", double(this->NumberOfNotFinitePlaces), 0, false },
+    { "values missing (NaN around them)", double(this->NumberOfPlacesWithoutValue), 0, false },
+    { "values lacking neighbours", double(this->NumberOfPlacesWithNeighborsLeftOut), 0, false },
+  });
+}
+
+std::string vtkAdaptiveHilbertInterpolationAlgorithm::GetResources()
+{
+  return vtkAHDMeasuresText({
+    { "s to interpolate", double(this->SampleSeconds), 0, true },
+    { "triangulations so far", double(this->NumberOfTriangulations), 0, false },
+    { "KiB of memory at most", double(this->MemoryEstimate), 0, false },
+  });
+}
+
 void vtkAdaptiveHilbertInterpolationAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -132,8 +154,6 @@ void vtkAdaptiveHilbertInterpolationAlgorithm::PrintSelf(ostream& os, vtkIndent 
   os << indent << "GenerateGradients: " << (this->GenerateGradients ? "On\n" : "Off\n");
   os << indent << "HeightArrayName: " << this->HeightArrayName << "\n";
   os << indent << "ValidPointMaskArrayName: " << this->ValidPointMaskArrayName << "\n";
-  os << indent << "NumberOfTriangulations: " << this->NumberOfTriangulations << "\n";
-  os << indent << "MemoryEstimate: " << this->MemoryEstimate << "\n";
   os << indent << "NumberOfPlaces: " << this->NumberOfPlaces << "\n";
   os << indent << "NumberOfValidPlaces: " << this->NumberOfValidPlaces << "\n";
   os << indent << "NumberOfPlacesOutside: " << this->NumberOfPlacesOutside << "\n";
@@ -142,4 +162,6 @@ void vtkAdaptiveHilbertInterpolationAlgorithm::PrintSelf(ostream& os, vtkIndent 
   os << indent << "NumberOfPlacesWithNeighborsLeftOut: " << this->NumberOfPlacesWithNeighborsLeftOut
      << "\n";
   os << indent << "SampleSeconds: " << this->SampleSeconds << "\n";
+  os << indent << "NumberOfTriangulations: " << this->NumberOfTriangulations << "\n";
+  os << indent << "MemoryEstimate: " << this->MemoryEstimate << "\n";
 }

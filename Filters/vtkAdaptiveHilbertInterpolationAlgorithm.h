@@ -19,7 +19,7 @@
 #include "vtkDataSetAlgorithm.h"
 
 #include <limits> // for defaults that are NaN
-#include <string> // for settings that are names
+#include <string> // for names and texts
 
 namespace ahd
 {
@@ -218,22 +218,6 @@ public:
   ///@}
 
   ///@{
-  /// How often this filter has triangulated since it was created. Another method or cell size needs
-  /// no new triangulation.
-  /// A triangulation is kept if KeepTriangulation is on and ReuseLimit is large enough, for the
-  /// next execution with the same points, constraints and Triangulation. It stays 0 on a surface
-  /// whose own triangulation is available.
-  vtkGetMacro(NumberOfTriangulations, int);
-  ///@}
-
-  ///@{
-  /// The most memory, in kibibytes (1024 bytes), that the last run may have needed beyond its
-  /// input, or was refused: the number that is compared with Memory Limit.
-  /// That is the MemoryLimit of Triangulation.
-  vtkGetMacro(MemoryEstimate, vtkTypeInt64);
-  ///@}
-
-  ///@{
   /// Places, or cells of the raster, in the last run.
   /// The sum of those on the surface, those outside it and those that are not finite. Counts are 0
   /// if the run was aborted or failed; they are field data of the output, too.
@@ -275,6 +259,30 @@ public:
   vtkGetMacro(SampleSeconds, double);
   ///@}
 
+  ///@{
+  /// How often this filter has triangulated since it was created. Another method or cell size needs
+  /// no new triangulation.
+  /// A triangulation is kept if KeepTriangulation is on and ReuseLimit is large enough, for the
+  /// next execution with the same points, constraints and Triangulation. It stays 0 on a surface
+  /// whose own triangulation is available.
+  vtkGetMacro(NumberOfTriangulations, int);
+  ///@}
+
+  ///@{
+  /// The most memory, in kibibytes (1024 bytes), that the last run may have needed beyond its
+  /// input, or was refused: the number that is compared with Memory Limit.
+  /// That is the MemoryLimit of Triangulation.
+  vtkGetMacro(MemoryEstimate, vtkTypeInt64);
+  ///@}
+
+  /// What the last run found, as a text with a line for each number. Numbers that are 0 are left
+  /// out, but for the first. Empty before a run.
+  virtual std::string GetMeasures();
+
+  /// What the last run took, as a text with a line for each number: seconds of wall-clock time,
+  /// threads, memory. Numbers that are 0 are left out, but for the first. Empty before a run.
+  virtual std::string GetResources();
+
 protected:
   vtkAdaptiveHilbertInterpolationAlgorithm();
   ~vtkAdaptiveHilbertInterpolationAlgorithm() override;
@@ -307,7 +315,6 @@ protected:
   std::string ValidPointMaskArrayName = "vtkValidPointMask";
 
   // Measures of the last execution.
-  vtkTypeInt64 MemoryEstimate = 0;
   vtkIdType NumberOfPlaces = 0;
   vtkIdType NumberOfValidPlaces = 0;
   vtkIdType NumberOfPlacesOutside = 0;
@@ -315,6 +322,7 @@ protected:
   vtkIdType NumberOfPlacesWithoutValue = 0;
   vtkIdType NumberOfPlacesWithNeighborsLeftOut = 0;
   double SampleSeconds = 0.0;
+  vtkTypeInt64 MemoryEstimate = 0;
 
   // Measures of all executions.
   int NumberOfTriangulations = 0;

@@ -42,12 +42,12 @@ def delaunay(
     nmax: int = 50,
     control_points: str = "every_level",
     gene_rotation: bool = True,
+    count_work: bool = False,
     insertion_limit: int = 0,
     offset: float = 1.0,
     bounding: bool = False,
     threads: int = 0,
     memory_limit: int = 0,
-    count_work: bool = False,
     id_dtype: Any = np.int32,
     want: Union[str, Sequence[str]] = (),
     progress: Optional[Callable[[str, float], Any]] = None,
@@ -119,6 +119,8 @@ def delaunay(
         Points inserted before all others.
     gene_rotation : bool, default True
         Turn the curve in each box to connect to the boxes before and after.
+    count_work : bool, default False
+        Count np and nr, see `Triangulation.measures`. One thread inserts.
     insertion_limit : int, 0 or more, default 0
         Insert only so many points of the order; 0: all.
     offset : float, 0.75 or more, default 1.0
@@ -129,8 +131,6 @@ def delaunay(
         Number of threads; 0: one for each processor that the process may run on. The result is the same.
     memory_limit : int, 0 or more, default 0
         The most bytes to allocate; 0: what the process can get without swapping.
-    count_work : bool, default False
-        Count np and nr, see `Triangulation.measures`. One thread inserts.
     id_dtype : numpy.int32 or numpy.int64, default numpy.int32
         The type of all ids in the result. 32 bits are always enough.
     want : sequence of str, optional

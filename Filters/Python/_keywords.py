@@ -33,12 +33,12 @@ KEYWORDS = {
     "nmax": Keyword("nmax", 50, least=1, most=2147483647),
     "control_points": Keyword("control_points", "every_level", words=("off", "single_level", "every_level")),
     "gene_rotation": Keyword("gene_rotation", True),
+    "count_work": Keyword("count_work", False),
     "insertion_limit": Keyword("insertion_limit", 0, least=0, most=9223372036854775807),
     "offset": Keyword("offset", 1.0, least=0.75, most=1.7e+308),
     "bounding": Keyword("bounding", False),
     "threads": Keyword("threads", 0, least=0, most=1024),
     "memory_limit": Keyword("memory_limit", 0, least=0, most=4611686018427387904),
-    "count_work": Keyword("count_work", False),
 }
 #: Of mesh.adaptive: settings of vtkAdaptiveHilbertDelaunay2D.
 MESH_KEYWORDS = {

@@ -183,6 +183,26 @@ def job_counts(rows):
             for row in tables.counts(rows)]
 
 
+def text_getters(rows):
+    """Those of the texts of measures, with their contracts."""
+    lines = []
+    for text, _measures in tables.texts(rows):
+        lines += tables.wrapped(f"{text.help} Empty before a run.", "  /// ", COLUMNS)
+        lines += [f"  virtual std::string Get{text.name}();", ""]
+    return lines
+
+
+def texts(rows):
+    """The definitions of these."""
+    lines = []
+    for text, found in tables.texts(rows):
+        lines += [f"std::string @CLASS@::Get{text.name}()", "{", "  return vtkAHDMeasuresText({"]
+        lines += [f'    {{ "{row.said}", double(this->{row.name}), {tables.numbers(row.default)[0]}, '
+                  f"{str(row.type == 'double').lower()} }}," for row in found]
+        lines += ["  });", "}", ""]
+    return lines
+
+
 def seconds(rows):
     """The statements of ClearSeconds()."""
     return [f"  this->{row.name} = 0.0;" for row in tables.seconds(rows)]

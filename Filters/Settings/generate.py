@@ -49,12 +49,13 @@ C_LIST = re.compile(r"^ \* int \(made of .*?\n(?= \*\n)", re.MULTILINE | re.DOTA
 PLACE = re.compile(r"^ *(?:<!--|//|#) @(\w+) (\w+)((?: \w+)*)(?: -->)?$", re.MULTILINE)
 PARTS = {
     "properties": panel.properties,
+    "measures": panel.measures,
     **{part.__name__: lambda rows, _, part=part: part(rows) for part in (
         panel.groups, panel.exposed, classes.enums, classes.accessors, classes.members, classes.printed,
-        classes.cleared, classes.taken, classes.added, classes.job_counts, classes.seconds, classes.counts,
-        classes.compared_numbers, classes.compared_texts, classes.job_values, classes.on_one_rank, classes.setters,
-        pythontable.setting_rows, pythontable.constants, pythontable.measure_rows, pythontable.job_rows,
-        pythontable.measures_of_job)},
+        classes.cleared, classes.taken, classes.added, classes.job_counts, classes.text_getters, classes.texts,
+        classes.seconds, classes.counts, classes.compared_numbers, classes.compared_texts, classes.job_values,
+        classes.on_one_rank, classes.setters, pythontable.setting_rows, pythontable.constants,
+        pythontable.measure_rows, pythontable.text_rows, pythontable.job_rows, pythontable.measures_of_job)},
     "count_names": lambda rows, _: pythontable.names_of(tables.counts(rows)),
     "second_names": lambda rows, _: pythontable.names_of(tables.seconds(rows)),
     "endless_names": lambda rows, _: pythontable.names_of([row for row in tables.settings(rows) if not row.ends]),

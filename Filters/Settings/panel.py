@@ -7,7 +7,8 @@ from xml.sax.saxutils import escape, quoteattr
 import rows as tables
 
 TAGS = {"double": "Double", "text": "String"}
-# A value that the property never has: so a measure cannot be edited in the panel.
+# What never holds. So texts of measures cannot be edited, and the panel does not have the measures, which would be no
+# attributes in Python with a panel_visibility of never.
 NEVER = {"delaunay": "Nmax = 0", "interpolation": "Method = 99"}
 CONDITION = re.compile(r"\s*(\w+) (=|!=|in|is) ((?:[\w-]+ ?)+?)(?=\s+(?:or|and)\b|\s*\)|\s*$)")
 
@@ -38,14 +39,23 @@ class Lines:
 
 
 def properties(rows, kind, depth=3):
-    """The properties of the rows that the panel or a script has."""
+    """The settings that the panel or a script has."""
     xml = Lines(depth)
-    for row in rows:
-        if row.type in tables.PLACEHOLDERS or row.panel == "none":
-            continue
-        _property(xml, row, kind)
+    for row in tables.settings(rows):
+        if row.panel != "none":
+            _property(xml, row, kind)
         if row.old_name:
             _old_property(xml, row)
+    return xml.lines
+
+
+def measures(rows, kind, depth=3):
+    """The measures: in the panel as texts, in scripts each by itself, too."""
+    xml = Lines(depth)
+    for text, found in tables.texts(rows):
+        _text_of_measures(xml, text, kind)
+        for row in found:
+            _property(xml, row, kind)
     return xml.lines
 
 
@@ -55,13 +65,26 @@ def _property(xml, row, kind):
                   ("number_of_elements", row.elements), ("default_values", _default_of(row))]
     attributes += [("animateable", 1)] if row.animateable else []
     attributes += [("information_only", 1)] if row.measure else []
-    xml.open(tag, attributes + [("panel_visibility", row.panel)])
+    xml.open(tag, attributes + [("panel_visibility", "advanced" if row.measure else row.panel)])
     if row.measure:
         xml.empty(f"Simple{tag[:-len('VectorProperty')]}InformationHelper")
     _domain(xml, row)
     xml.text("Documentation", f"{row.help} {tables.said_default(row, by_constants=False)}")
-    _hints(xml, row, kind)
+    _hints(xml, [("visibility", one) for one in row.visible] + [("enabled_state", one) for one in row.enabled]
+           + ([("visibility", NEVER[kind])] if row.measure else []))
     xml.close(tag)
+    xml.lines.append("")
+
+
+def _text_of_measures(xml, row, kind):
+    """A text that cannot be edited."""
+    xml.open("StringVectorProperty", [
+        ("name", row.name), ("label", row.label), ("command", "Get" + row.name), ("number_of_elements", 1),
+        ("default_values", ""), ("information_only", 1), ("panel_visibility", row.panel)])
+    xml.empty("SimpleStringInformationHelper")
+    xml.text("Documentation", row.help)
+    _hints(xml, [("enabled_state", NEVER[kind])], [("Widget", [("type", "multi_line")])])
+    xml.close("StringVectorProperty")
     xml.lines.append("")
 
 
@@ -108,12 +131,12 @@ def _range(xml, row, least):
     xml.empty(TAGS.get(row.type, "Int") + "RangeDomain", [("name", "range")] + given)
 
 
-def _hints(xml, row, kind):
-    conditions = [("enabled_state", NEVER[kind])] if row.measure else []
-    conditions += [("visibility", one) for one in row.visible] + [("enabled_state", one) for one in row.enabled]
+def _hints(xml, conditions, others=()):
     if not conditions:
         return
     xml.open("Hints")
+    for tag, attributes in others:
+        xml.empty(tag, attributes)
     for mode, condition in conditions:
         expression = Condition(condition).parse()
         if isinstance(expression, list):
@@ -177,10 +200,11 @@ class Condition:
 def groups(rows, depth=3):
     """The property groups, in the order in which they come in the table."""
     xml = Lines(depth)
-    for label in dict.fromkeys(row.group for row in rows if row.group):
+    rows = [row for row in rows if row.group and row.panel != "none" and not (row.measure or row.type == "measures")]
+    for label in dict.fromkeys(row.group for row in rows):
         xml.open("PropertyGroup", [("label", label)])
         for row in rows:
-            if row.group == label and row.panel != "none":
+            if row.group == label:
                 _named(xml, row.name)
                 if row.old_name:
                     _named(xml, row.old_name)
@@ -194,9 +218,9 @@ def exposed(rows, depth=5):
     xml = Lines(depth)
     for row in rows:
         if row.type == "exposed":
-            _named(xml, row.name)
+            _named(xml, row.name, [("panel_visibility", row.exposed_panel)] if row.exposed_panel else [])
     return xml.lines
 
 
-def _named(xml, name):
-    xml.empty("Property", [("name", name)])
+def _named(xml, name, more=()):
+    xml.empty("Property", [("name", name), *more])

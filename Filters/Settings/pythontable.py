@@ -68,6 +68,16 @@ def measure_rows(rows):
     return lines
 
 
+def text_rows(rows):
+    """By the name of a text: what it is, and (words, name) of each measure in it."""
+    lines = []
+    for text, found in tables.texts(rows):
+        *about, last = _text(f"{text.help} Empty before a run.")
+        lines += [f'    "{text.name}": (', *about, last.rstrip(",") + ", ("]
+        lines += [f'         ("{row.said}", "{row.name}"),' for row in found] + ["     )),"]
+    return lines
+
+
 def measures_of_job(rows):
     """The terms of a measure, in the job."""
     return [f'    "{row.name}": {tuple(row.terms)!r},' for row in tables.measures(rows) if row.job]

@@ -14,7 +14,7 @@ REPORT_ROWS = HERE.parent / "Engine/Job/ReportRows.h"
 MARK = "Made by Filters/Settings/generate.py: change what is there, not this."
 # The type of a default in the table, by type.
 TYPES = {"bool": bool, "flag": bool, "enum": int, "int": int, "id": int, "int64": int, "double": float, "text": str}
-PLACEHOLDERS = ("object", "exposed")
+PLACEHOLDERS = ("object", "exposed", "measures")
 INPUTS = ["Input", "Places"]  # of which conditions may be, too
 SWITCHES = ("bool", "flag")
 RANKS = ("same", "one", "effect", "own")
@@ -44,6 +44,7 @@ class Row:
     help: str = ""
     details: str = ""
     measure: bool = False
+    said: str = ""
     default: object = None
     panel_default: object = None
     values: tuple = ()
@@ -59,6 +60,7 @@ class Row:
     job: str = ""
     on_surface: object = None
     exposed: bool = False
+    exposed_panel: str = ""
     ranks: str = "same"
     visible: tuple = ()
     enabled: tuple = ()
@@ -103,8 +105,12 @@ class Row:
             yield kind in (str, bool, tuple) and not isinstance(getattr(self, field.name), kind), (
                 f"{field.name} is of another type")
         yield self.panel not in PANELS, f"panel is one of {PANELS}"
+        yield self.exposed_panel not in ("", *PANELS[:2]), f"exposed_panel is one of {PANELS[:2]}"
         yield self.panel_range not in PANEL_RANGES, f"panel_range is one of {PANEL_RANGES}"
         yield self.ranks not in RANKS, f"ranks is one of {RANKS}"
+        yield self.measure != bool(self.said), "a measure, and nothing else, has words in a text"
+        yield self.measure and (self.panel != "default" or self.visible or self.enabled), (
+            "the panel has a text of measures")
         yield self.ranks == "one" and (self.values or self.elements > 1), "one rank: of a number or a switch only"
         if self.type in PLACEHOLDERS:
             return
@@ -240,7 +246,8 @@ def twice(names):
 
 
 def _exposed(within, group):
-    found = [Row(row.name, group, "exposed") for row in within if row.exposed and row.group == group]
+    found = [Row(row.name, group, "exposed", exposed_panel=row.exposed_panel) for row in within
+             if row.exposed and row.group == group]
     if not found:
         raise ValueError(f"[{group}]: nothing is exposed in this group")
     return found
@@ -248,7 +255,10 @@ def _exposed(within, group):
 
 def _check_names(rows):
     names = [row.name for row in rows]
+    texts_of = [text.group for text, _measures in texts(rows)]
     for row in rows:
+        if row.measure and row.group not in texts_of:
+            raise ValueError(f"[{row.name}]: there is no text of [{row.group}]")
         if names.count(row.name) > 1:
             raise ValueError(f"[{row.name}]: there are two")
         for condition in row.visible + row.enabled:
@@ -263,6 +273,11 @@ def settings(rows):
 
 def measures(rows):
     return [row for row in rows if row.measure]
+
+
+def texts(rows):
+    """The texts of measures, each with the measures in it: those of its group."""
+    return [(row, [one for one in measures(rows) if one.group == row.group]) for row in rows if row.type == "measures"]
 
 
 def check_measures(rows, whole, real):

@@ -13,6 +13,7 @@ def table(read):
     settings; the arrays."""
     found = {name: {"settings": {row.name: _of_setting(row) for row in tables.settings(rows)},
                     "measures": {row.name: _of_measure(row) for row in tables.measures(rows)},
+                    "texts": {text.name: [row.name for row in found] for text, found in tables.texts(rows)},
                     "exposed": [row.name for row in rows if row.type == "exposed"]}
              for name, rows in read.items() if name not in ("arrays", "job")}
     found["job"] = {one.name: _of_job(one) for one in read["job"]}

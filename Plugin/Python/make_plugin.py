@@ -66,8 +66,10 @@ def with_exposed_properties(proxy, others):
         known = {item.get("name"): item for item in others[inherits] if item.get("label")}
         place = list(proxy).index(part)
         proxy.remove(part)
-        for name in reversed([item.get("name") for item in part.find("ExposedProperties")]):
-            proxy.insert(place, copy.deepcopy(known[name]))
+        for item in reversed(part.find("ExposedProperties")):
+            exposed = copy.deepcopy(known[item.get("name")])
+            exposed.set("panel_visibility", item.get("panel_visibility", exposed.get("panel_visibility")))
+            proxy.insert(place, exposed)
 
 
 def proxies():

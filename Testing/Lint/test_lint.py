@@ -208,8 +208,9 @@ class ComplaintsTest(unittest.TestCase):
                 ('type = "int"\ndefault = 1\nvisible = ["Alhpa = 0"]', "there is no Alhpa"),
                 ('type = "int"\ndefault = 1\njob = "New"', "no row in job.toml"),
                 ('type = "int"\ndefault = [1, 2]\nranks = "one"', "of a number or a switch"),
-                ('type = "id"\nmeasure = true\njob = "lines + lime"', "a job has no lime"),
-                ('type = "id"\nmeasure = true\njob = "np"', "a job has no np of this kind"),
+                ('type = "id"\nmeasure = true', "words in a text"),
+                ('type = "id"\nmeasure = true\nsaid = "a"\npanel = "advanced"', "the panel has a text of measures"),
+                ('type = "id"\nmeasure = true\nsaid = "a"', "no text of [Outline]"),
                 ('type = "double"\ndefault = [1, 2]\nleast = 0', "lists are clamped")):
             table.write_text(f'{rows}\n[Outline.New]\nhelp = "New."\n{row}\n', encoding="utf-8")
             said = lint.check_made(self.root)
@@ -249,6 +250,8 @@ class ComplaintsTest(unittest.TestCase):
         settings = self.copy_settings()
         for name, old, new, complaint in (
                 ("interpolation", '[Outline.Triangulation]\ntype = "exposed"', "", "[MaximumEdgeLength]: exposed, but"),
+                ("delaunay", 'job = "merged_points"', 'job = "merged_points + lime"', "a job has no lime"),
+                ("delaunay", 'job = "merged_points"', 'job = "np"', "a job has no np of this kind"),
                 ("delaunay", 'job = "rim"\non_surface = 1', 'job = "rim"\non_surface = 3', "on_surface is no value"),
                 ("job", "keyword_default = 1", "keyword_default = 2", "the default 2 is not from 0 to 1"),
                 ("job", "mesh_default = 1", "mesh_default = 2", "the default 2 is not from 0 to 1"),

@@ -24,9 +24,9 @@ def test_menu():
 
 
 def test_properties_are_complete():
-    expected = set(SETTINGS + MEASURES + ["Input", "Source", "Transform", "GenerateFate"] + HIDDEN)
+    expected = set(SETTINGS + MEASURES + TEXTS + ["Input", "Source", "Transform", "GenerateFate"] + HIDDEN)
     check_equal(set(properties(sm)), expected, "properties of the filter")
-    for name in MEASURES:
+    for name in MEASURES + TEXTS:
         check(sm.GetProperty(name).GetInformationOnly(), name + " can be changed, but is a measure")
 
 
@@ -57,9 +57,19 @@ def test_everything_is_in_the_panel():
             item.GetPanelVisibility() in (("never",) if hidden else ("default", "advanced")),
             "%s has panel_visibility %r" % (name, item.GetPanelVisibility()),
         )
-    shown = ["Source", "SourceMode", "FillRule", "Alpha", "MaximumEdgeLength", "ProjectionPlaneMode", "Tolerance"]
-    for name in shown + ["InsertionOrder", "GeneratePointStatus"] + COUNTS[:4]:
-        check_equal(sm.GetProperty(name).GetPanelVisibility(), "default", "panel_visibility of " + name)
+
+
+def test_the_panel_is_short():
+    """What most users need, in one look; of constraints only the source."""
+    check_equal(rows_of_panel(sm), [
+        "Alpha", "DuplicatePolicy", "MaximumEdgeLength", "Measures", "ProjectionPlaneMode", "Source", "Tolerance"],
+        "rows without a source")
+    bounded = AdaptiveHilbertDelaunay2D(Input=Sphere(), Source=Sphere())
+    more = set(rows_of_panel(bounded.SMProxy)) - set(rows_of_panel(sm))
+    check({"SourceMode", "SourceHeights", "ClosedLines", "FillRule", "CrossingMode"} <= more,
+          "rows of a source: %r" % more)
+    raster = rows_of_panel(AdaptiveHilbertInterpolation2D(Input=Sphere()).SMProxy)
+    check(len(raster) <= 12 and "Method" in raster, "rows of the interpolation: %r" % raster)
 
 
 def test_choices():
@@ -205,15 +215,22 @@ def test_what_is_shown_of_lists_in_a_state():
                 "what the state says of lists")
 
 
-def test_measures_are_greyed():
-    """information_only alone leaves a field in which one may type."""
+def test_measures_are_texts():
     for name in MEASURES:
-        hints = sm.GetProperty(name).GetHints()
-        check(hints, name + " can be edited in the panel")
-        modes = [
-            hints.GetNestedElement(i).GetAttribute("mode") for i in range(hints.GetNumberOfNestedElements())
-        ]
-        check("enabled_state" in modes, name + " can be edited in the panel")
+        check("visibility" in [one.GetAttribute("mode") for one in nested(sm.GetProperty(name).GetHints())],
+              name + " is in the panel by itself, too")
+    for name in TEXTS:
+        hints = nested(sm.GetProperty(name).GetHints())
+        check_equal([one.GetAttribute("type") for one in hints], ["multi_line", "GenericDecorator"], "hints of " + name)
+        check_equal(hints[1].GetAttribute("mode"), "enabled_state", "what ends that %s can be edited" % name)
+    points = XMLPolyDataReader(FileName=[write_vtp("texts.vtp", hill_points(3007))])
+    surface = AdaptiveHilbertDelaunay2D(Input=points)
+    check_equal(surface.Measures, "", "the text before a run")
+    found = measures(surface)
+    check_equal(surface.Measures, "{:,} triangles\n3,000 points in the surface\n7 duplicates left out".format(
+        found["NumberOfTriangles"]), "the text")
+    check("s to insert\n" in surface.Resources and surface.Resources.endswith(" KiB of memory at most"),
+          "the text of resources: %r" % surface.Resources)
 
 
 def test_units_are_beside_the_numbers():
@@ -222,7 +239,7 @@ def test_units_are_beside_the_numbers():
         group = sm.GetPropertyGroup(i)
         for k in range(group.GetNumberOfProperties()):
             panel[group.GetProperty(k).GetXMLName()] = group.GetXMLLabel()
-    for name in ("MemoryLimit", "ReuseLimit", "MemoryEstimate"):
+    for name in ("MemoryLimit", "ReuseLimit"):
         check("KiB" in panel[name], "the heading above %s is %r" % (name, panel[name]))
     check("Threads" in panel["NumberOfThreads"], "the heading above NumberOfThreads")
 
@@ -230,10 +247,6 @@ def test_units_are_beside_the_numbers():
 def test_the_voronoi_diagram_does_not_cover_the_surface():
     views = [hint for hint in nested(sm.GetHints()) if hint.GetName() == "View"]
     check_equal([(v.GetAttribute("port"), v.GetAttribute("type")) for v in views], [("2", "None")], "views")
-
-
-def nested(element):
-    return [element.GetNestedElement(i) for i in range(element.GetNumberOfNestedElements())]
 
 
 def test_the_limit_goes_up_to_the_number_of_points():
@@ -298,7 +311,7 @@ def test_defaults_and_names_are_those_of_the_class():
         check(not EXPECT_PYTHON, "the package adaptivehilbertdelaunay cannot be imported")
         return
     setters = set(SETTINGS + ["SourceData", "SourceConnection", "Transform", "Controller", "GenerateFate"])
-    getters = set(SETTINGS + MEASURES + ["Source", "Transform", "Controller", "GenerateFate"])
+    getters = set(SETTINGS + MEASURES + TEXTS + ["Source", "Transform", "Controller", "GenerateFate"])
     check_equal(own_methods(cls, "Set"), setters, "settings of the class")
     check_equal(own_methods(cls, "Get"), getters, "values of the class")
     fresh = cls()

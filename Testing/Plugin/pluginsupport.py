@@ -50,10 +50,11 @@ def others(table, names):
     return {name: another(TABLE[table]["settings"][name]) for name in names}
 
 
-# The panel's properties: settings, measures, and those measures that are counts.
+# The properties: settings, measures, those measures that are counts, and the texts of measures in the panel.
 SETTINGS = names_of("delaunay", "settings")
 MEASURES = names_of("delaunay", "measures", lambda row: True)
 COUNTS = names_of("delaunay", "measures", lambda row: row["type"] == "id")
+TEXTS = list(TABLE["delaunay"]["texts"])
 # Attributes of the plugin in Python alone: in no panel, state or trace.
 HIDDEN = ["InsertionLimitRange"] if IS_PYTHON else []
 # The same of the interpolation: its own settings, those of its triangulation that have an effect, and its measures.
@@ -181,6 +182,42 @@ def properties(of):
         found[iterator.GetKey()] = iterator.GetProperty()
         iterator.Next()
     return found
+
+
+def nested(element):
+    return [element.GetNestedElement(i) for i in range(element.GetNumberOfNestedElements())] if element else []
+
+
+def _is_so(decorator, proxy):
+    """Is the condition of a decorator met? (An input of several blocks: no test here has one.)"""
+    kind = decorator.GetAttribute("type")
+    if decorator.GetName() == "Expression":
+        return (all if kind == "and" else any)(_is_so(one, proxy) for one in nested(decorator))
+    if kind == "CompositeDecorator":
+        return all(_is_so(one, proxy) for one in nested(decorator))
+    if kind == "InputDataTypeDecorator":
+        return False
+    item, proxies = proxy.GetProperty(decorator.GetAttribute("property")), []
+    if item.IsA("vtkSMProxyProperty"):
+        proxies = [item.GetProxy(0).GetXMLName()] if item.GetNumberOfProxies() and item.GetProxy(0) else ["null"]
+    shown = proxies or ["%g" % item.GetElement(0)]
+    wanted = (decorator.GetAttribute("values") or decorator.GetAttribute("value")).split()
+    return (shown[0] in wanted) != (decorator.GetAttribute("inverse") == "1")
+
+
+def rows_of_panel(proxy):
+    """The names of what the panel shows without its advanced properties, by the XML and the values now."""
+    shown = []
+    for name, item in properties(proxy).items():
+        conditions = [one for one in nested(item.GetHints()) if one.GetName() == "PropertyWidgetDecorator"]
+        conditions = [one for one in conditions if "visibility" in _modes(one)]
+        if name != "Input" and item.GetPanelVisibility() == "default" and all(_is_so(one, proxy) for one in conditions):
+            shown.append(name)
+    return sorted(shown)
+
+
+def _modes(decorator):
+    return {decorator.GetAttribute("mode")}.union(*map(_modes, nested(decorator)))
 
 
 def choices(proxy, name):

@@ -154,9 +154,30 @@ def getters_of(measures):
     return {"Get" + name: _method("Get" + name, _getter(name), about) for name, _value, about in measures}
 
 
+def _number(value):
+    return "%.3g" % value if isinstance(value, float) else "{:,}".format(value)
+
+
+def _text_getter(rows, before):
+    def get_text(self):
+        shown = [self._values[name] != before[name] for _words, name in rows]
+        shown[0] = any(shown)
+        return "\n".join("%s %s" % (_number(self._values[name]), words)
+                         for (words, name), is_shown in zip(rows, shown) if is_shown)
+
+    return get_text
+
+
+def getters_of_texts(texts, before):
+    """VTK's methods for texts of measures, by name. `before`: the measures' values before a run."""
+    return {"Get" + name: _method("Get" + name, _text_getter(rows, before), about)
+            for name, (about, rows) in texts.items()}
+
+
 def all_methods():
     """The methods and constants of all settings and measures, by name."""
     made = dict(CONSTANTS, **getters_of(table.DELAUNAY_MEASURES))
+    made.update(getters_of_texts(table.DELAUNAY_TEXTS, MEASURES))
     for setting in SETTINGS:
         made.update(methods_of(setting))
     for old, now in table.OLD_NAMES.items():
@@ -165,7 +186,7 @@ def all_methods():
     return made
 
 
-def properties_of(kind, names=tuple(BY_NAME) + tuple(MEASURES) + (
+def properties_of(kind, names=tuple(BY_NAME) + tuple(MEASURES) + tuple(table.DELAUNAY_TEXTS) + (
         "Transform", "Source", "SourceData", "SourceConnection", "Input", "InputData", "Output")):
     """VTK's properties for the methods SetX and GetX of a class, by name."""
     made = {}

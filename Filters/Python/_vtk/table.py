@@ -165,6 +165,11 @@ DELAUNAY = (
      'point starts farther away. It changes the time, never the triangles. Used by Adaptive Hilbert. Change it '
      'to compare. On by default.',
      None, None, ()),
+    ("CountWork", "bool", False,
+     'Count the triangles tested to locate each point (NP) and the triangles removed to insert it (NR). Switch '
+     'it on to compare insertion orders by their work, which is the same on every machine, rather than by '
+     'seconds. Counting takes time, and one thread inserts; it never changes the triangles. Off by default.',
+     None, None, ()),
     ("InsertionLimit", "int64", 0,
      'Stop after this number of points: the surface is the triangulation of these alone. 0, or any number that '
      'is large enough: all points. The insertion settings determine which points come first. In ParaView move '
@@ -255,11 +260,6 @@ DELAUNAY = (
      'the next execution, for filters that interpolate on its surface. The rest of the limit is for the memory '
      'of outputs that have been released.',
      0, 9223372036854775807, ()),
-    ("CountWork", "bool", False,
-     'Count the triangles tested to locate each point (NP) and the triangles removed to insert it (NR). Switch '
-     'it on to compare insertion orders by their work, which is the same on every machine, rather than by '
-     'seconds. Counting takes time, and one thread inserts; it never changes the triangles. Off by default.',
-     None, None, ()),
 )
 DELAUNAY_CONSTANTS = {
     "SOURCE_IDS": 0,
@@ -291,15 +291,6 @@ DELAUNAY_CONSTANTS = {
 }
 # In the order in which PrintSelf has them: name, what it is before an execution and after one that failed, what it is.
 DELAUNAY_MEASURES = (
-    ("NumberOfThreadsUsed", 0,
-     'Threads that shared the work of the last run; 1 if there was too little work to share.'),
-    ("NumberOfTriangulations", 0,
-     'How often this filter has triangulated since it was created; runs that passed on existing triangles do not '
-     'count.'),
-    ("MemoryEstimate", 0,
-     'The most memory, in kibibytes (1024 bytes), that the last run may have needed beyond its input, or was '
-     'refused: the number that is compared with Memory Limit. After too many crossings: the estimate for one '
-     'more than fits.'),
     ("NumberOfTriangles", 0,
      'Triangles of the surface, in the last run.'),
     ("NumberOfPointsInserted", 0,
@@ -351,7 +342,50 @@ DELAUNAY_MEASURES = (
      'Wall-clock seconds to insert the lines of the source as edges, in the last run.'),
     ("OutputSeconds", 0.0,
      'Wall-clock seconds to write the triangles in their canonical order, in the last run.'),
+    ("NumberOfThreadsUsed", 0,
+     'Threads that shared the work of the last run; 1 if there was too little work to share.'),
+    ("NumberOfTriangulations", 0,
+     'How often this filter has triangulated since it was created; runs that passed on existing triangles do not '
+     'count.'),
+    ("MemoryEstimate", 0,
+     'The most memory, in kibibytes (1024 bytes), that the last run may have needed beyond its input, or was '
+     'refused: the number that is compared with Memory Limit. After too many crossings: the estimate for one '
+     'more than fits.'),
 )
+# Texts of measures: what each is, and of each measure in it the words after the number, and its name.
+DELAUNAY_TEXTS = {
+    "Measures": (
+     'What the last run found, as a text with a line for each number. Numbers that are 0 are left out, but for '
+     'the first. Empty before a run.', (
+         ("triangles", "NumberOfTriangles"),
+         ("points in the surface", "NumberOfPointsInserted"),
+         ("duplicates left out", "NumberOfDuplicates"),
+         ("points merged", "NumberOfMergedPoints"),
+         ("points added", "NumberOfAddedPoints"),
+         ("points rejected (NaN or infinite)", "NumberOfRejectedPoints"),
+         ("points skipped (ghost or hidden)", "NumberOfSkippedPoints"),
+         ("points beyond the limit", "NumberOfPointsBeyondLimit"),
+         ("edges of the source", "NumberOfConstraintEdges"),
+         ("crossings in the source", "NumberOfCrossings"),
+         ("bent segments", "NumberOfBentConstraints"),
+         ("segments left out", "NumberOfConstraintsLeftOut"),
+         ("outlines that bound nothing", "NumberOfUnfilledLoops"),
+         ("flat triangles trimmed", "NumberOfTrimmedTriangles"),
+         ("triangles tested a point (NP)", "NP"),
+         ("removed a point (NR)", "NR"),
+     )),
+    "Resources": (
+     'What the last run took, as a text with a line for each number: seconds of wall-clock time, threads, '
+     'memory. Numbers that are 0 are left out, but for the first. Empty before a run.', (
+         ("s to sort", "SortSeconds"),
+         ("s to insert", "InsertSeconds"),
+         ("s to constrain", "ConstrainSeconds"),
+         ("s to write", "OutputSeconds"),
+         ("threads", "NumberOfThreadsUsed"),
+         ("triangulations so far", "NumberOfTriangulations"),
+         ("KiB of memory at most", "MemoryEstimate"),
+     )),
+}
 # What is also field data of the output.
 DELAUNAY_COUNTS = (
     "NumberOfTriangles",
@@ -386,7 +420,6 @@ WITHOUT_ENDS = (
 )
 # Measures, and the counts and measures of the job that each is the sum of.
 OF_JOB = {
-    "NumberOfThreadsUsed": ('threads_used',),
     "NumberOfTriangles": ('triangles',),
     "NumberOfPointsInserted": ('inserted',),
     "NumberOfDuplicates": ('duplicates',),
@@ -407,6 +440,7 @@ OF_JOB = {
     "InsertSeconds": ('seconds_insert',),
     "ConstrainSeconds": ('seconds_split', 'seconds_constrain'),
     "OutputSeconds": ('seconds_extract', 'seconds_outputs'),
+    "NumberOfThreadsUsed": ('threads_used',),
 }
 # Old names, and those of now.
 OLD_NAMES = {
@@ -433,12 +467,12 @@ SAME = {
     "nmax": "Nmax",
     "control_points": "ControlPoints",
     "gene_rotation": "GeneRotation",
+    "count_work": "CountWork",
     "insertion_limit": "InsertionLimit",
     "want_insertion_ranks": "GenerateInsertionRank",
     "want_curve": "GenerateInsertionCurve",
     "want_boxes": "GenerateBoxes",
     "offset": "Offset",
-    "count_work": "CountWork",
 }
 # Settings that a surface made before has used up, and the values that count for values on it.
 USED_UP = {
@@ -567,14 +601,6 @@ INTERPOLATION_CONSTANTS = {
     "BOUNDARY": 2,
 }
 INTERPOLATION_MEASURES = (
-    ("NumberOfTriangulations", 0,
-     'How often this filter has triangulated since it was created. Another method or cell size needs no new '
-     'triangulation. A triangulation is kept if KeepTriangulation is on and ReuseLimit is large enough, for the '
-     'next execution with the same points, constraints and Triangulation. It stays 0 on a surface whose own '
-     'triangulation is available.'),
-    ("MemoryEstimate", 0,
-     'The most memory, in kibibytes (1024 bytes), that the last run may have needed beyond its input, or was '
-     'refused: the number that is compared with Memory Limit. That is the MemoryLimit of Triangulation.'),
     ("NumberOfPlaces", 0,
      'Places, or cells of the raster, in the last run. The sum of those on the surface, those outside it and '
      'those that are not finite. Counts are 0 if the run was aborted or failed; they are field data of the '
@@ -593,7 +619,34 @@ INTERPOLATION_MEASURES = (
      'NaN, in the last run.'),
     ("SampleSeconds", 0.0,
      'Wall-clock seconds to locate the places and interpolate, in the last run, without the triangulation.'),
+    ("NumberOfTriangulations", 0,
+     'How often this filter has triangulated since it was created. Another method or cell size needs no new '
+     'triangulation. A triangulation is kept if KeepTriangulation is on and ReuseLimit is large enough, for the '
+     'next execution with the same points, constraints and Triangulation. It stays 0 on a surface whose own '
+     'triangulation is available.'),
+    ("MemoryEstimate", 0,
+     'The most memory, in kibibytes (1024 bytes), that the last run may have needed beyond its input, or was '
+     'refused: the number that is compared with Memory Limit. That is the MemoryLimit of Triangulation.'),
 )
+INTERPOLATION_TEXTS = {
+    "Measures": (
+     'What the last run found, as a text with a line for each number. Numbers that are 0 are left out, but for '
+     'the first. Empty before a run.', (
+         ("places", "NumberOfPlaces"),
+         ("on the surface", "NumberOfValidPlaces"),
+         ("outside", "NumberOfPlacesOutside"),
+         ("NaN or infinite", "NumberOfNotFinitePlaces"),
+         ("values missing (NaN around them)", "NumberOfPlacesWithoutValue"),
+         ("values lacking neighbours", "NumberOfPlacesWithNeighborsLeftOut"),
+     )),
+    "Resources": (
+     'What the last run took, as a text with a line for each number: seconds of wall-clock time, threads, '
+     'memory. Numbers that are 0 are left out, but for the first. Empty before a run.', (
+         ("s to interpolate", "SampleSeconds"),
+         ("triangulations so far", "NumberOfTriangulations"),
+         ("KiB of memory at most", "MemoryEstimate"),
+     )),
+}
 INTERPOLATION_COUNTS = (
     "NumberOfPlaces",
     "NumberOfValidPlaces",

@@ -68,6 +68,7 @@ const SettingRow kSettingRows[] = {
   { "ControlPoints", false, 2, 0, 2,
     [](Filter* f, double v) { f->SetControlPoints(static_cast<int>(v)); } },
   { "GeneRotation", false, 1, 0, 1, [](Filter* f, double v) { f->SetGeneRotation(v != 0); } },
+  { "CountWork", false, 0, 0, 1, [](Filter* f, double v) { f->SetCountWork(v != 0); } },
   { "InsertionLimit", false, 0, 0, kNoEnd,
     [](Filter* f, double v) { f->SetInsertionLimit(static_cast<vtkIdType>(v)); } },
   { "GenerateInsertionRank", false, 0, 0, 1,
@@ -92,7 +93,6 @@ const SettingRow kSettingRows[] = {
     [](Filter* f, double v) { f->SetMemoryLimit(static_cast<vtkTypeInt64>(v)); } },
   { "ReuseLimit", false, 262144, 0, kNoEnd,
     [](Filter* f, double v) { f->SetReuseLimit(static_cast<vtkTypeInt64>(v)); } },
-  { "CountWork", false, 0, 0, 1, [](Filter* f, double v) { f->SetCountWork(v != 0); } },
 };
 
 } // namespace ahdtest
