@@ -381,8 +381,8 @@ public:
   ///@{
   /// Fill the third output, Voronoi, with a polygon for each vertex: the region that is nearer to
   /// it than to any other vertex. The polygons lie at z = 0 and have the point data of their
-  /// vertices as cell data. ParaView hides them at first, as they may cover the surface: click the
-  /// eye of the output Voronoi. Off by default.
+  /// vertices as cell data. In ParaView: the filter Voronoi Cells 2D (Adaptive Hilbert). Off by
+  /// default.
   /// Output port 2: convex counterclockwise polygons, with the vertex's id as "OriginalPointIds"
   /// (vtkIdTypeArray). Corners are those of the exact polygons, rounded once to double precision;
   /// corners that differ by at most 4 units in the last place may be merged. Constraints are

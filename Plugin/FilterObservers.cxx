@@ -316,37 +316,42 @@ public:
     const auto* registered = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(data);
     auto* proxy = vtkSMSourceProxy::SafeDownCast(registered->Proxy);
     const std::string name = proxy && proxy->GetXMLName() ? proxy->GetXMLName() : "";
-    const bool isSurface = name == "AdaptiveHilbertDelaunay2D";
+    const bool isInterpolation = name == "AdaptiveHilbertInterpolation2D";
     if (name == "PlanarPointSource" &&
       !proxy->HasObserver(vtkCommand::PropertyModifiedEvent, this->Range))
     {
       KeepAllInRange(proxy);
       proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this->Range);
     }
-    if (!(isSurface || name == "AdaptiveHilbertInterpolation2D") ||
+    if (!(isInterpolation || std::count(std::begin(kFilters), std::end(kFilters), name)) ||
       proxy->HasObserver(vtkCommand::UpdateDataEvent, this->Fetch))
     {
       return; // another proxy, or the same under one more name
     }
     proxy->AddObserver(vtkCommand::UpdateDataEvent, this->Fetch);
     proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this->Refuse);
-    if (isSurface)
+    const bool hasOldName = proxy->GetProperty(kOldName) != nullptr;
+    if (hasOldName)
     {
       JoinNames(proxy);
     }
-    else
+    if (isInterpolation)
     {
       SuggestRaster(proxy);
     }
     KeepAllInRange(proxy);
     proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this->Range);
-    if (isSurface)
+    if (hasOldName)
     {
       proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this->Follow);
     }
   }
 
 private:
+  // Of vtkAdaptiveHilbertDelaunay2D and its outputs.
+  static constexpr const char* kFilters[] = { "Delaunay2DAdaptiveHilbert",
+    "AdaptiveHilbertDelaunay2D", "VoronoiAdaptiveHilbert", "InsertionOrderAdaptiveHilbert" };
+
   vtkNew<FetchMeasures> Fetch;
   vtkNew<RefuseCircle> Refuse;
   vtkNew<FollowOldName> Follow;

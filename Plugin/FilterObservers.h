@@ -2,7 +2,7 @@
 #ifndef FilterObservers_h
 #define FilterObservers_h
 
-/// Called when the plugin is loaded. From now on each proxy of AdaptiveHilbertDelaunay2D is
+/// Called when the plugin is loaded. From now on each proxy of a filter of ours is
 /// observed, for four things that ParaView does not do by itself.
 ///
 /// It fetches information properties before a run, not after it, so a panel would show the measures

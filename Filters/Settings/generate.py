@@ -47,11 +47,12 @@ C_HEADER = pathlib.Path("Filters/Engine/Interface/ahd.h")
 C_LIST = re.compile(r"^ \* int \(made of .*?\n(?= \*\n)", re.MULTILINE | re.DOTALL)
 # A comment that stands for a generated part.
 PLACE = re.compile(r"^ *(?:<!--|//|#) @(\w+) (\w+)((?: \w+)*)(?: -->)?$", re.MULTILINE)
+# One that stands for the first element of this name.
+AGAIN = re.compile(r"^ *<!-- @again (\w+) -->$", re.MULTILINE)
 PARTS = {
-    "properties": panel.properties,
-    "measures": panel.measures,
+    **{part.__name__: part for part in (panel.properties, panel.measures, panel.groups)},
     **{part.__name__: lambda rows, _, part=part: part(rows) for part in (
-        panel.groups, panel.exposed, classes.enums, classes.accessors, classes.members, classes.printed,
+        panel.exposed, classes.enums, classes.accessors, classes.members, classes.printed,
         classes.cleared, classes.taken, classes.added, classes.job_counts, classes.text_getters, classes.texts,
         classes.seconds, classes.counts, classes.compared_numbers, classes.compared_texts, classes.job_values,
         classes.on_one_rank, classes.setters, pythontable.setting_rows, pythontable.constants,
@@ -91,6 +92,7 @@ def fill(template, read):
 
     path = ROOT / template
     text = path.read_text(encoding="utf-8").replace("@mark@", tables.MARK)
+    text = AGAIN.sub(lambda found: re.search(rf' *<(\w+) name="{found[1]}".*?</\1>', text, re.DOTALL)[0], text)
     return PLACE.sub(part, text).replace("@CLASS@", path.name.split(".")[0])
 
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """ParaView's properties and groups, as XML, of the rows of a table."""
 
+import dataclasses
 import re
 from xml.sax.saxutils import escape, quoteattr
 
@@ -9,7 +10,7 @@ import rows as tables
 TAGS = {"double": "Double", "text": "String"}
 # What never holds. So texts of measures cannot be edited, and the panel does not have the measures, which would be no
 # attributes in Python with a panel_visibility of never.
-NEVER = {"delaunay": "Nmax = 0", "interpolation": "Method = 99"}
+NEVER = {"delaunay": "NumberOfThreads = -1", "interpolation": "Method = 99"}
 CONDITION = re.compile(r"\s*(\w+) (=|!=|in|is) ((?:[\w-]+ ?)+?)(?=\s+(?:or|and)\b|\s*\)|\s*$)")
 
 
@@ -38,52 +39,75 @@ class Lines:
         self.lines += [lines[0][2:]] + lines[1:]
 
 
-def properties(rows, kind, depth=3):
-    """The settings that the panel or a script has."""
+def properties(rows, kind, of="surface", depth=3):
+    """The settings that a filter has, in the panel or for scripts. `of` "ports": those that the filter with all output
+    ports has beside those of the surface."""
     xml = Lines(depth)
     for row in tables.settings(rows):
-        if row.panel != "none":
-            _property(xml, row, kind)
-        if row.old_name:
+        panel = row.panels.get(of, "none")
+        if of == "ports":
+            panel = "none" if "surface" in row.panels else "advanced"
+        if panel == "none":
+            continue
+        here = dataclasses.replace(row, panel_default=True) if row.on_in == of else row
+        _property(xml, here, panel, _conditions(row, rows, of))
+        if row.old_name and of == "surface":
             _old_property(xml, row)
     return xml.lines
+
+
+def _conditions(row, rows, of):
+    """(mode, condition) of a row, without those on settings that the filter does not have."""
+    known = [one.name for one in rows if of == "ports" or of in one.panels] + tables.INPUTS
+    given = [("visibility", text) for text in row.visible] + [("enabled_state", text) for text in row.enabled]
+    left = [(mode, _on_known(Condition(text).parse(), known)) for mode, text in given]
+    return [one for one in left if one[1]]
+
+
+def _on_known(condition, known):
+    """What is left of a parsed condition; None: nothing."""
+    if isinstance(condition, tuple):
+        return condition if condition[0] in known else None
+    word, *parts = condition
+    parts = [part for part in (_on_known(part, known) for part in parts) if part]
+    return [word] + parts if len(parts) > 1 else parts[0] if parts else None
 
 
 def measures(rows, kind, depth=3):
     """The measures: in the panel as texts, in scripts each by itself, too."""
     xml = Lines(depth)
+    never = Condition(NEVER[kind]).parse()
     for text, found in tables.texts(rows):
-        _text_of_measures(xml, text, kind)
+        _text_of_measures(xml, text, never)
         for row in found:
-            _property(xml, row, kind)
+            _property(xml, row, "advanced", [("visibility", never)])
     return xml.lines
 
 
-def _property(xml, row, kind):
+def _property(xml, row, panel, conditions):
     tag = TAGS.get(row.type, "Int") + "VectorProperty"
     attributes = [("name", row.name), ("label", row.label), ("command", ("Get" if row.measure else "Set") + row.name),
                   ("number_of_elements", row.elements), ("default_values", _default_of(row))]
     attributes += [("animateable", 1)] if row.animateable else []
     attributes += [("information_only", 1)] if row.measure else []
-    xml.open(tag, attributes + [("panel_visibility", "advanced" if row.measure else row.panel)])
+    xml.open(tag, attributes + [("panel_visibility", panel)])
     if row.measure:
         xml.empty(f"Simple{tag[:-len('VectorProperty')]}InformationHelper")
     _domain(xml, row)
     xml.text("Documentation", f"{row.help} {tables.said_default(row, by_constants=False)}")
-    _hints(xml, [("visibility", one) for one in row.visible] + [("enabled_state", one) for one in row.enabled]
-           + ([("visibility", NEVER[kind])] if row.measure else []))
+    _hints(xml, conditions)
     xml.close(tag)
     xml.lines.append("")
 
 
-def _text_of_measures(xml, row, kind):
+def _text_of_measures(xml, row, never):
     """A text that cannot be edited."""
     xml.open("StringVectorProperty", [
         ("name", row.name), ("label", row.label), ("command", "Get" + row.name), ("number_of_elements", 1),
         ("default_values", ""), ("information_only", 1), ("panel_visibility", row.panel)])
     xml.empty("SimpleStringInformationHelper")
     xml.text("Documentation", row.help)
-    _hints(xml, [("enabled_state", NEVER[kind])], [("Widget", [("type", "multi_line")])])
+    _hints(xml, [("enabled_state", never)], [("Widget", [("type", "multi_line")])])
     xml.close("StringVectorProperty")
     xml.lines.append("")
 
@@ -137,8 +161,7 @@ def _hints(xml, conditions, others=()):
     xml.open("Hints")
     for tag, attributes in others:
         xml.empty(tag, attributes)
-    for mode, condition in conditions:
-        expression = Condition(condition).parse()
+    for mode, expression in conditions:
         if isinstance(expression, list):
             xml.open("PropertyWidgetDecorator", [("type", "CompositeDecorator")])
             _expression(xml, mode, expression)
@@ -197,16 +220,20 @@ class Condition:
         return found[1], found[2], found[3].strip()
 
 
-def groups(rows, depth=3):
-    """The property groups, in the order in which they come in the table."""
+def _is_in(row, of):
+    return row.type == "exposed" or row.panels.get(of, "advanced" if of == "ports" else "none") != "none"
+
+
+def groups(rows, _kind, of="surface", depth=3):
+    """The property groups of a filter, in the order in which they come in the table."""
     xml = Lines(depth)
-    rows = [row for row in rows if row.group and row.panel != "none" and not (row.measure or row.type == "measures")]
+    rows = [row for row in rows if row.group and _is_in(row, of) and not (row.measure or row.type == "measures")]
     for label in dict.fromkeys(row.group for row in rows):
         xml.open("PropertyGroup", [("label", label)])
         for row in rows:
             if row.group == label:
                 _named(xml, row.name)
-                if row.old_name:
+                if row.old_name and of == "surface":
                     _named(xml, row.old_name)
         xml.close("PropertyGroup")
         xml.lines.append("")
@@ -218,7 +245,8 @@ def exposed(rows, depth=5):
     xml = Lines(depth)
     for row in rows:
         if row.type == "exposed":
-            _named(xml, row.name, [("panel_visibility", row.exposed_panel)] if row.exposed_panel else [])
+            panel = row.panels.get("interpolation")
+            _named(xml, row.name, [("panel_visibility", panel)] if panel else [])
     return xml.lines
 
 

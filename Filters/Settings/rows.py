@@ -19,6 +19,7 @@ INPUTS = ["Input", "Places"]  # of which conditions may be, too
 SWITCHES = ("bool", "flag")
 RANKS = ("same", "one", "effect", "own")
 PANELS = ("default", "advanced", "never", "none")
+FILTERS = ("surface", "voronoi", "order", "interpolation")  # ParaView's, with settings of the first table
 PANEL_RANGES = ("", "points", "any", "without a most")
 VECTORS = (2, 3, 4, 6)  # so many numbers VTK's macros take
 
@@ -52,7 +53,8 @@ class Row:
     most: object = None
     panel_least: object = None
     ends: bool = True
-    panel: str = "default"
+    panel: object = "default"
+    on_in: str = ""
     panel_range: str = ""
     animateable: bool = False
     of_all_runs: bool = False
@@ -60,7 +62,6 @@ class Row:
     job: str = ""
     on_surface: object = None
     exposed: bool = False
-    exposed_panel: str = ""
     ranks: str = "same"
     visible: tuple = ()
     enabled: tuple = ()
@@ -69,6 +70,11 @@ class Row:
     def label(self):
         """The name in the panel. ParaView makes a property's name in Python of it: this one again."""
         return spaced(self.name)
+
+    @property
+    def panels(self):
+        """The visibility in the panels of filters, by their names; of one that is not said, there is no property."""
+        return self.panel if isinstance(self.panel, dict) else {"surface": self.panel}
 
     @property
     def elements(self):
@@ -102,10 +108,12 @@ class Row:
         yield self.type not in (*TYPES, *PLACEHOLDERS), f"there is no type {self.type}"
         for field in dataclasses.fields(self):
             kind = type(field.default)
-            yield kind in (str, bool, tuple) and not isinstance(getattr(self, field.name), kind), (
+            of_another = field.name != "panel" and not isinstance(getattr(self, field.name), kind)
+            yield kind in (str, bool, tuple) and of_another, (
                 f"{field.name} is of another type")
-        yield self.panel not in PANELS, f"panel is one of {PANELS}"
-        yield self.exposed_panel not in ("", *PANELS[:2]), f"exposed_panel is one of {PANELS[:2]}"
+        yield not {*self.panels.values()} <= {*PANELS}, f"panel is one of {PANELS}"
+        yield not {*self.panels} <= {*FILTERS}, f"panel is of {FILTERS}"
+        yield self.on_in and not (self.is_switch and self.on_in in self.panels), "on_in is a panel of a switch"
         yield self.panel_range not in PANEL_RANGES, f"panel_range is one of {PANEL_RANGES}"
         yield self.ranks not in RANKS, f"ranks is one of {RANKS}"
         yield self.measure != bool(self.said), "a measure, and nothing else, has words in a text"
@@ -246,8 +254,7 @@ def twice(names):
 
 
 def _exposed(within, group):
-    found = [Row(row.name, group, "exposed", exposed_panel=row.exposed_panel) for row in within
-             if row.exposed and row.group == group]
+    found = [Row(row.name, group, "exposed", panel=row.panel) for row in within if row.exposed and row.group == group]
     if not found:
         raise ValueError(f"[{group}]: nothing is exposed in this group")
     return found

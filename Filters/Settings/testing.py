@@ -24,8 +24,8 @@ def table(read):
 
 def _of_setting(row):
     default = None if row.default != row.default else row.default  # JSON has no NaN
-    told = {"type": row.type, "default": default, "least": row.least, "most": row.most, "panel": row.panel,
-            "values": [value.label for value in row.values], "ranks": row.ranks}
+    told = {"type": row.type, "default": default, "least": row.least, "most": row.most,
+            "panel": row.panels.get("surface", ""), "values": [value.label for value in row.values], "ranks": row.ranks}
     for name in ("panel_default", "on_surface"):
         if getattr(row, name) is not None:
             told[name] = getattr(row, name)

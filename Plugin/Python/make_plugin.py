@@ -72,6 +72,16 @@ def with_exposed_properties(proxy, others):
             proxy.insert(place, exposed)
 
 
+def inherited(proxy, others):
+    """What a proxy takes from the one that it is based on: all but what it has itself."""
+    own = {_key(item) for item in proxy}
+    return [copy.deepcopy(item) for item in others[proxy.get("base_proxyname")] if _key(item) not in own]
+
+
+def _key(item):
+    return item.get("name") or item.get("label") or item.tag
+
+
 def proxies():
     """(group, tag, attributes, inside) of each proxy, and the names of the properties that go up to the number of
     points."""
@@ -80,13 +90,16 @@ def proxies():
     by_name = {proxy.get("name"): proxy for group in root for proxy in group}
     for group in root:
         for proxy in group:
-            if proxy.get("base_proxyname"):
+            if group.get("name") == "internal":
                 continue  # is there to be inside another
+            if proxy.get("base_proxyname"):
+                proxy[:] = inherited(proxy, by_name) + list(proxy)
             with_exposed_properties(proxy, by_name)
-            up_to_points += without_cxx(proxy)
+            up_to_points += [name for name in without_cxx(proxy) if name not in up_to_points]
             inside = "".join(ElementTree.tostring(child, encoding="unicode") for child in proxy)
             inside = re.sub(r"\n\s*\n", "\n\n", inside.strip())
-            found.append((group.get("name"), proxy.tag, dict(proxy.attrib), inside))
+            attributes = {name: value for name, value in proxy.items() if not name.startswith("base_")}
+            found.append((group.get("name"), proxy.tag, attributes, inside))
     return found, up_to_points
 
 

@@ -19,7 +19,7 @@ TEXT = """The plugin in Python of Adaptive Hilbert Delaunay 2D, for ParaView 5.1
 2. In ParaView: Tools > Manage Plugins... > Load New..., and choose in that folder
    AdaptiveHilbertDelaunay / adaptivehilbertdelaunay / AdaptiveHilbertDelaunayPlugin.py
    Tick Auto Load there to have it next time.
-3. Filters > Adaptive Hilbert > Adaptive Hilbert Delaunay 2D.
+3. Filters > Adaptive Hilbert > Delaunay 2D (Adaptive Hilbert).
 """
 
 

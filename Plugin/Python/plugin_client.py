@@ -28,6 +28,8 @@ UP_TO_POINTS = []
 # It knows no area and no cell size that suit the points: as long as they are not used, they are suggested.
 
 FILTER = "AdaptiveHilbertDelaunay2D"
+#: Of the same class, with one output.
+OUTPUTS = "Delaunay2DAdaptiveHilbert", "VoronoiAdaptiveHilbert", "InsertionOrderAdaptiveHilbert"
 RASTER = "AdaptiveHilbertInterpolation2D"
 SOURCE = "PlanarPointSource"
 NAMES = {"GenerateFate": "GeneratePointStatus", "GeneratePointStatus": "GenerateFate"}  # old and new
@@ -153,7 +155,8 @@ def _suggest_raster(proxy):
 
 def _follow_points(proxy):
     """Gives the ranges that go up to the number of points this end, and has them follow the input."""
-    if proxy.GetXMLName() != FILTER:
+    ranges = [name + "Range" for name in UP_TO_POINTS if proxy.GetProperty(name + "Range")]
+    if not ranges:
         return
     item = proxy.GetProperty("Input")
     source = item.GetProxy(0) if item.GetNumberOfProxies() > 0 else None
@@ -164,8 +167,8 @@ def _follow_points(proxy):
             source._ahd_followed = True
             source.AddObserver(UPDATED, _input_was_updated)
     most = min(max(points, 0), 2**31 - 1)
-    for name in UP_TO_POINTS:
-        ends = vtkSMPropertyHelper(proxy, name + "Range")
+    for name in ranges:
+        ends = vtkSMPropertyHelper(proxy, name)
         ends.Set(0, min(3, most))
         ends.Set(1, most)
 
@@ -197,8 +200,8 @@ def _observe(proxy):
     proxy._ahd_observed = True
     if proxy.GetXMLName() == RASTER:
         _suggest_raster(proxy)
-    elif proxy.GetXMLName() == FILTER:
-        old, new = NAMES
+    old, new = NAMES
+    if proxy.GetProperty(old):
         _keep_equal(proxy, old if _value(proxy, old) else new)
     for name, _item in _properties(proxy):
         _keep_in_range(proxy, name)
@@ -213,7 +216,7 @@ def _is_observed(proxy):
 
 def _is_filter(proxy):
     """Is it one of ours, and that of a plugin in Python? The compiled one has its own observers."""
-    return proxy.GetXMLName() in (FILTER, RASTER, SOURCE) and "." in proxy.GetVTKClassName()
+    return proxy.GetXMLName() in (FILTER, *OUTPUTS, RASTER, SOURCE) and "." in proxy.GetVTKClassName()
 
 
 _seen = {"sources": 0}

@@ -116,10 +116,15 @@ class _Driver(VTKPythonAlgorithmBase):
         ports = self._worker.GetNumberOfInputPorts()
         self._inputs = [None] * ports
         # Behind the worker's ports there is one more, which ParaView does not know: see SetTransform.
-        super().__init__(nInputPorts=ports + 1, nOutputPorts=self._worker.GetNumberOfOutputPorts())
+        self._ports = self._output_ports()
+        super().__init__(nInputPorts=ports + 1, nOutputPorts=len(self._ports))
         self._worker.AddObserver("ProgressEvent", _call_weakly(self, "_pass_on_progress"))
         # VTK keeps what Python knows of an object for some time after Python, here ParaView, has let it go.
         weakref.finalize(self, self.__dict__.clear).atexit = False
+
+    def _output_ports(self):
+        """The worker's output ports that are this one's."""
+        return list(range(self._worker.GetNumberOfOutputPorts()))
 
     def __getattr__(self, name):
         """Methods of the worker, or of the settings that are a part of it. What changes it changes this too."""
@@ -166,7 +171,7 @@ class _Driver(VTKPythonAlgorithmBase):
         return 1
 
     def FillOutputPortInformation(self, port, info):
-        info.Copy(self._worker.GetOutputPortInformation(port), 1)
+        info.Copy(self._worker.GetOutputPortInformation(self._ports[port]), 1)
         return 1
 
     def ProcessRequest(self, *given):
@@ -191,10 +196,10 @@ class _Driver(VTKPythonAlgorithmBase):
             self._worker.Update()
         else:
             self._update_piece(outInfo.GetInformationObject(0))
-        for port in range(self.GetNumberOfOutputPorts()):
-            made = self._worker.GetOutputDataObject(port)
-            vtkDataObject.GetData(outInfo, port).ShallowCopy(made)
-            made.Initialize()
+        for port, of_worker in enumerate(self._ports):
+            vtkDataObject.GetData(outInfo, port).ShallowCopy(self._worker.GetOutputDataObject(of_worker))
+        for port in range(self._worker.GetNumberOfOutputPorts()):
+            self._worker.GetOutputDataObject(port).Initialize()
         for producer in filter(None, self._inputs):
             producer.SetOutput(None)  # keeps no data alive
         return 1
@@ -227,6 +232,17 @@ class _Driver(VTKPythonAlgorithmBase):
         self.UpdateProgress(self._worker.GetProgress())
         if self.GetAbortExecute() or (hasattr(self, "CheckAbort") and self.CheckAbort()):  # since VTK 9.3
             self._worker.SetAbortExecute(1)
+
+
+class _OneOutput(_Driver):
+    """vtkAdaptiveHilbertOneOutput2D: one of the outputs of vtkAdaptiveHilbertDelaunay2D."""
+
+    def _output_ports(self):
+        return [0]
+
+    def SetShownPort(self, port):
+        self._ports = [port]
+        self.Modified()
 
 
 class _Raster(_Driver):
@@ -288,11 +304,13 @@ class _OfParaView:
 def _declare(works, group, tag, attributes, inside):
     """Makes what ParaView looks for in this module: the class of a proxy, with its description. Where nothing works,
     only what nobody sees, as ParaView 6 complains of a plugin without any."""
-    name, vtk_class = attributes["name"], attributes.get("class")
+    name, vtk_class = attributes["name"], attributes.get("class", "")
+    has_one = vtk_class.endswith("OneOutput2D")
+    vtk_class = "vtkAdaptiveHilbertDelaunay2D" if has_one else vtk_class
     if group == "transforms":
         globals()[name] = _OfParaView(group, tag, attributes, inside)
     elif works and (_data_are_elsewhere() or _has(vtk_class)):
-        base = _Raster if name == RASTER else _Driver
+        base = _Raster if name == RASTER else _OneOutput if has_one else _Driver
         made = type(name, (base,), {"vtk_class": vtk_class, "__module__": __name__})
         known = {key: value for key, value in attributes.items() if key != "class"}
         smproperty.xml(inside)(made)

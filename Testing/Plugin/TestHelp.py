@@ -7,10 +7,11 @@
 import glob
 import html.parser
 import os
+import re
 import sqlite3
 import sys
 
-from pluginsupport import MEASURES, RASTER_MEASURES, RASTER_SETTINGS, SETTINGS, check, check_equal
+from pluginsupport import MEASURES, RASTER_MEASURES, RASTER_SETTINGS, check, check_equal, names_of
 
 FOLDER = sys.argv[1]
 OURS = {"index.html", "gallery.html", "recipes.html"}  # ParaView's generated pages leave some tags open
@@ -46,6 +47,10 @@ check_equal(
     | {
         "filters.AdaptiveHilbertDelaunay2D.html",
         "filters.AdaptiveHilbertInterpolation2D.html",
+        "filters.Delaunay2DAdaptiveHilbert.html",
+        "filters.InsertionOrderAdaptiveHilbert.html",
+        "filters.VoronoiAdaptiveHilbert.html",
+        "Readers.html",
         "internal.AdaptiveHilbertTriangulation.html",
         "sources.PlanarPointSource.html",
         "transforms.AdaptiveHilbertTransform.html",
@@ -53,8 +58,20 @@ check_equal(
     "pages of the help",
 )
 
+# ParaView makes pages that nobody looks for, too: the contents are without these.
+with open(os.path.join(FOLDER, "AdaptiveHilbertDelaunay.qhp"), encoding="utf-8") as file:
+    listed = re.findall(r'<section title="(.*?)" ref="(.*?)"', file.read())
+internal = {"filters.AdaptiveHilbertDelaunay2D.html", "Readers.html"} | {
+    name for name in pages if name.startswith(("internal.", "transforms."))}
+check_equal({page for _title, page in listed}, set(pages) - internal, "pages in the contents of the help")
+check_equal(len(listed), len(pages) - len(internal), "entries in the contents of the help")
+check(all(title in " ".join(pages[page].text.split()) for title, page in listed), "a title is not that of its page")
+
 DESCRIBED = {
-    "AdaptiveHilbertDelaunay2D": SETTINGS + MEASURES + ["Source", "Transform"],
+    "Delaunay2DAdaptiveHilbert": names_of("delaunay", "settings", lambda row: row["panel"]) + MEASURES
+    + ["Source", "Transform"],
+    "VoronoiAdaptiveHilbert": ["VoronoiClip", "Transform"],
+    "InsertionOrderAdaptiveHilbert": ["InsertionOrder", "GenerateBoxes", "Transform"],
     "AdaptiveHilbertInterpolation2D": RASTER_SETTINGS + RASTER_MEASURES + ["Places", "Source"],
 }
 for filter_name, described in DESCRIBED.items():

@@ -16,11 +16,61 @@ proxy = AdaptiveHilbertDelaunay2D(Input=Sphere())
 sm = proxy.SMProxy
 
 
+#: The filters of the menu that are outputs of the class: label, output, and name in Python.
+MENU = {
+    "Delaunay2DAdaptiveHilbert": ("Delaunay 2D (Adaptive Hilbert)", "Surface"),
+    "VoronoiAdaptiveHilbert": ("Voronoi Cells 2D (Adaptive Hilbert)", "Voronoi"),
+    "InsertionOrderAdaptiveHilbert": ("Insertion Order 2D (Adaptive Hilbert)", "Insertion order"),
+}
+
+
+def made(label, **settings):
+    """A filter by its label, as in a script."""
+    return globals()[re.sub(r"\W", "", label)](**settings)
+
+
 def test_menu():
-    check_equal(sm.GetXMLLabel(), "Adaptive Hilbert Delaunay 2D", "label of the filter")
+    """A filter for each output, found beside Delaunay 2D; and one with all, for states and scripts, in no menu."""
+    check_equal(sm.GetXMLLabel(), "Adaptive Hilbert Delaunay 2D", "label of the filter with all outputs")
     check_equal(sm.GetVTKClassName(), class_in_paraview("AdaptiveHilbertDelaunay2D"), "class of the filter")
-    menu = sm.GetHints().FindNestedElementByName("ShowInMenu")
-    check_equal(menu.GetAttribute("category"), "Adaptive Hilbert", "category in the Filters menu")
+    check(sm.GetHints().FindNestedElementByName("ReaderFactory"), "the filter with all outputs is in the menu, too")
+    for name, (label, output) in MENU.items():
+        one = made(label, Input=Sphere()).SMProxy
+        check_equal((one.GetXMLName(), one.GetXMLLabel()), (name, label), "name and label")
+        menu = one.GetHints().FindNestedElementByName("ShowInMenu")
+        check_equal(menu.GetAttribute("category"), "Adaptive Hilbert", "category in the Filters menu")
+        check_equal((one.GetNumberOfOutputPorts(), one.GetOutputPortName(0)), (1, output), "outputs of " + label)
+
+
+def test_filters_of_outputs():
+    """Each has what that output of the class has, with the measures, and nothing where there is no input any more."""
+    points = XMLPolyDataReader(FileName=[write_vtp("outputs.vtp", hill_points())])
+    settings = {"GenerateInsertionCurve": 1, "GenerateBoxes": 1, "InsertionOrder": "Multi-grid"}
+    whole = AdaptiveHilbertDelaunay2D(Input=points, GenerateVoronoi=1, VoronoiClip="Bounds", **settings)
+    given = {"Voronoi": {"VoronoiClip": "Bounds"}, "Insertion order": {**settings, "GenerateInsertionCurve": 1}}
+    cells = {"Surface": measures(whole)["NumberOfTriangles"], "Voronoi": 393, "Insertion order": 65}
+    for label, output in MENU.values():
+        one = made(label, Input=points, **given.get(output, {}))
+        port = {"Surface": 0, "Insertion order": 1, "Voronoi": 2}[output]
+        for what in (one, OutputPort(whole, port)):
+            what.UpdatePipeline()
+        found, expected = (
+            of.GetClientSideObject().GetOutputDataObject(k) for of, k in ((one, 0), (whole, port)))
+        check_equal(found.GetNumberOfCells(), cells[output], "cells of " + label)
+        check(contents(found) == contents(expected), label + " differs from that output of the class")
+        check(Show(one), "ParaView does not show " + label)
+        check_equal((one.NumberOfDuplicates, one.Measures), (7, whole.Measures), "measures of " + label)
+    check_equal(rows_of_panel(made("Voronoi Cells 2D (Adaptive Hilbert)", Input=points).SMProxy),
+                ["Measures", "VoronoiClip"], "rows of the panel")
+
+
+def contents(data):
+    """Cells, points and the names of arrays."""
+    cells = [[data.GetCell(k).GetPointId(i) for i in range(data.GetCell(k).GetNumberOfPoints())]
+             for k in range(data.GetNumberOfCells())]
+    names = [[each.GetArrayName(k) for k in range(each.GetNumberOfArrays())]
+             for each in (data.GetPointData(), data.GetCellData())]
+    return cells, [data.GetPoint(k) for k in range(data.GetNumberOfPoints())], names
 
 
 def test_properties_are_complete():
@@ -61,11 +111,12 @@ def test_everything_is_in_the_panel():
 
 def test_the_panel_is_short():
     """What most users need, in one look; of constraints only the source."""
-    check_equal(rows_of_panel(sm), [
+    surface = made("Delaunay 2D (Adaptive Hilbert)", Input=Sphere()).SMProxy
+    check_equal(rows_of_panel(surface), [
         "Alpha", "DuplicatePolicy", "MaximumEdgeLength", "Measures", "ProjectionPlaneMode", "Source", "Tolerance"],
         "rows without a source")
-    bounded = AdaptiveHilbertDelaunay2D(Input=Sphere(), Source=Sphere())
-    more = set(rows_of_panel(bounded.SMProxy)) - set(rows_of_panel(sm))
+    bounded = made("Delaunay 2D (Adaptive Hilbert)", Input=Sphere(), Source=Sphere())
+    more = set(rows_of_panel(bounded.SMProxy)) - set(rows_of_panel(surface))
     check({"SourceMode", "SourceHeights", "ClosedLines", "FillRule", "CrossingMode"} <= more,
           "rows of a source: %r" % more)
     raster = rows_of_panel(AdaptiveHilbertInterpolation2D(Input=Sphere()).SMProxy)
