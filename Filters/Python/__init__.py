@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from ._arrays import DelaunayWarning as DelaunayWarning
     from ._arrays import Kind as Kind
     from ._arrays import Location as Location
+    from ._arrays import Outline as Outline
     from ._arrays import Triangulation as Triangulation
     from ._arrays import Voronoi as Voronoi
     from ._arrays import delaunay as delaunay
@@ -34,7 +35,8 @@ if TYPE_CHECKING:
     from ._sampling import Weights as Weights
 
 # Modules are loaded when one of their names is first used: arrays need no VTK, and VTK no arrays.
-_ARRAYS = ("Boxes", "DelaunayWarning", "Kind", "Location", "Triangulation", "Voronoi", "delaunay", "release_memory")
+_ARRAYS = ("Boxes", "DelaunayWarning", "Kind", "Location", "Outline", "Triangulation", "Voronoi", "delaunay",
+           "release_memory")  # fmt: skip
 _MODULES = {
     **dict.fromkeys(_ARRAYS, "._arrays"),
     **dict.fromkeys(("LinearInterpolator", "NaturalNeighborInterpolator", "NearestInterpolator"), "._interpolators"),
@@ -51,7 +53,7 @@ _CLASSES = (
 
 __all__ = [
     "Boxes", "DelaunayWarning", "Kind", "LinearInterpolator", "Location", "NaturalNeighborInterpolator",
-    "NearestInterpolator", "Raster", "Triangulation", "Voronoi", "Weights", "delaunay", "release_memory",
+    "NearestInterpolator", "Outline", "Raster", "Triangulation", "Voronoi", "Weights", "delaunay", "release_memory",
 ]  # fmt: skip
 
 

@@ -11,11 +11,13 @@ import numpy as np
 from ._input import Plane
 from ._library import release_memory
 from ._names import by_any_name
-from ._results import Boxes, Kind, Location, Voronoi
+from ._results import Boxes, Kind, Location, Outline, Voronoi
 from ._triangulation import Triangulation, triangulate
 from ._warnings import DelaunayWarning
 
-__all__ = ["Boxes", "DelaunayWarning", "Kind", "Location", "Triangulation", "Voronoi", "delaunay", "release_memory"]
+__all__ = [
+    "Boxes", "DelaunayWarning", "Kind", "Location", "Outline", "Triangulation", "Voronoi", "delaunay", "release_memory",
+]  # fmt: skip
 
 
 @by_any_name()

@@ -59,7 +59,7 @@ AT_SURFACE, AT_CROSSINGS = 1, 2
 
 # Whose words a message has, and when it is said.
 WORDS_OF_C, WORDS_OF_CLASS, WORDS_OF_NUMPY = range(3)
-SAY_REFUSAL, SAY_TRIANGULATION, SAY_COLUMNS, SAY_PLACES, SAY_BLOCKS = range(5)
+SAY_REFUSAL, SAY_TRIANGULATION, SAY_COLUMNS, SAY_PLACES, SAY_BLOCKS, SAY_OUTLINE = range(6)
 
 # Kinds of names, for names().
 INT_SETTINGS, DOUBLE_SETTINGS, INPUT_ARRAYS, COUNTS, MEASURES, OUTPUT_ARRAYS = range(6)
@@ -172,6 +172,11 @@ class Sampled(ctypes.Structure):
     ]
 
 
+class OutlineReport(ctypes.Structure):
+    _fields_ = [(name, ctypes.c_uint64) for name in ("unfit_cells", "unfit_edges", "memory_needed", "memory_allowed")]
+    _fields_ += [("plane", ctypes.c_int32)]
+
+
 class Fact(ctypes.Structure):
     _fields_ = [
         ("name", ctypes.c_char_p),
@@ -226,6 +231,7 @@ def _signatures() -> Dict[str, Tuple[Any, List[Any]]]:
         "ahd_sample_estimate": (status, [job, to(Places), u64, to(u64)]),
         "ahd_sample_estimate_before": (status, [job, u64, to(Places), u64, i32, to(u64)]),
         "ahd_sample_weights": (status, [job, to(Places)]),
+        "ahd_outline": (status, [job, to(OutlineReport)]),
         "ahd_say": (u64, [job, i32, i32, to(Fact), u64, pointer, u64]),
         "ahd_name": (name, [i32, u32]),
         "ahd_status_name": (name, [status]),

@@ -20,7 +20,7 @@ from ._interface import *  # noqa: F403
 from ._interface import (
     AT_CROSSINGS, AT_SURFACE, BAD_ARRAY, BUSY, COUNTS, DOUBLE_SETTINGS, ERRORS, FIXED_DTYPES, INT_SETTINGS, MEASURES,
     NO_JOB, OK, OUTSIDE_NO_VALUE, SAMPLE_LINEAR, SAMPLE_NEAREST, TYPES, Array, BadInput, C, Drawing, Fault,
-    NotAvailable, Places, Sampled, array_type, described, names, status_name,
+    NotAvailable, OutlineReport, Places, Sampled, array_type, described, names, status_name,
 )  # fmt: skip
 from ._calls import AT_WORK as _at_work
 from ._calls import NO_PROGRESS, NO_PROJECTION, PROGRESS, PROJECTION, Call, Interrupts, end_with_the_program
@@ -252,6 +252,13 @@ class Job:
         plane = ctypes.c_int64()
         self._call(C.ahd_choose_plane, plane)
         return plane.value
+
+    def outline(self, report: Optional[OutlineReport] = None) -> OutlineReport:
+        """Makes the outline of the array cells: outline_points, outline_rings, outline_polygons and outline_cells, see
+        ahd_outline.h. What became of it goes to `report`, also where it fails."""
+        made = OutlineReport() if report is None else report
+        self._call(C.ahd_outline, made)
+        return made
 
     # --- results ---
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Iterator, NamedTuple
+from typing import Any, Dict, Iterator, List, NamedTuple
 
 import numpy as np
 
@@ -47,6 +47,54 @@ class Voronoi:
         i %= len(self)
         found: np.ndarray = self.points[self.corners[self.offsets[i] : self.offsets[i + 1]]]
         return found
+
+
+@dataclass(frozen=True)
+class Outline:
+    """The outline of the triangles, as polygons with holes: ``len(outline)`` polygons, and ``outline[i]`` is a list of
+    the rings of one, the outer ring first, counterclockwise, then its holes, clockwise.
+
+    A polygon is a largest set of triangles joined by edges; those that touch at a vertex only are two. Rings are
+    simple. A ring begins at its smallest vertex, by x, then y, and polygons and holes are in the order of these. It is
+    made from ids and an exact sign: no place is moved or rounded.
+
+    shapely, geopandas and others take it as it is, as a MultiPolygon: ``shapely.geometry.shape(outline)``.
+
+    Attributes
+    ----------
+    points : (n, 2) or (n, 3) float32 or float64
+        The places that ids refer to: x, y of the triangulation's points; in space, if its plane is not that of x, y.
+    corners : (k,) int
+        Ids of points, ring after ring; the first of a ring is not repeated.
+    rings : (r + 1,) int
+        Ring `i` has the corners ``corners[rings[i]:rings[i + 1]]``.
+    polygons : (p + 1,) int
+        Polygon `i` has the rings from ``polygons[i]`` to ``polygons[i + 1]``.
+    """
+
+    points: np.ndarray
+    corners: np.ndarray
+    rings: np.ndarray
+    polygons: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.polygons) - 1
+
+    def __iter__(self) -> Iterator[List[np.ndarray]]:
+        return (self[i] for i in range(len(self)))
+
+    def __getitem__(self, i: int) -> List[np.ndarray]:
+        """The rings of polygon `i`, each (k, 2) or (k, 3)."""
+        if not -len(self) <= i < len(self):
+            raise IndexError("polygon %d of %d" % (i, len(self)))
+        first, end = self.polygons[i % len(self)], self.polygons[i % len(self) + 1]
+        return [self.points[self.corners[self.rings[r] : self.rings[r + 1]]] for r in range(first, end)]
+
+    @property
+    def __geo_interface__(self) -> Dict[str, Any]:
+        """A MultiPolygon of GeoJSON: rings are closed."""
+        polygons = [[[tuple(p) for p in (*ring.tolist(), ring[0].tolist())] for ring in polygon] for polygon in self]
+        return {"type": "MultiPolygon", "coordinates": polygons}
 
 
 class Boxes(NamedTuple):

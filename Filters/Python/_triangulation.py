@@ -13,7 +13,7 @@ from . import _library as library
 from ._input import CHOICES, DEFAULTS, Plane, Request
 from ._keywords import WANTED
 from ._made import frozen
-from ._results import Boxes, Location, Voronoi, chained
+from ._results import Boxes, Location, Outline, Voronoi, chained
 from ._raster import real_numbers, unmasked
 from ._sampling import Sampled
 from ._warnings import warn
@@ -25,6 +25,8 @@ _TRIANGLES = library.names(library.COUNTS).index("triangles")
 def _arrays_of(made: Any) -> Iterable[np.ndarray]:
     if isinstance(made, Voronoi):
         return made.points, made.offsets, made.corners, made.sites
+    if isinstance(made, Outline):
+        return made.points, made.corners, made.rings, made.polygons
     return made if isinstance(made, Boxes) else (made,)
 
 
@@ -195,6 +197,37 @@ class Triangulation(Sampled):
     def boundary(self) -> np.ndarray:
         """(b, 2) int: the edges with a triangle on one side only, their left, in the order of the triangles."""
         made: np.ndarray = self._made("boundary", lambda: self._edges_where(self.neighbors < 0))
+        return made
+
+    def outline(self) -> Outline:
+        """The outline of the triangles, as polygons with holes.
+
+        Without constraints it is the convex hull; with loops, `alpha`, `maximum_edge_length` or a trimmed rim the
+        outline of what they leave: concave hulls and alpha shapes.
+
+        Examples
+        --------
+        >>> from adaptivehilbertdelaunay import delaunay
+        >>> square, hole = [[0, 0], [9, 0], [9, 9], [0, 9]], [[3, 3], [6, 3], [6, 6], [3, 6]]
+        >>> outline = delaunay(square + hole, loops=[[0, 1, 2, 3], [4, 5, 6, 7]]).outline()
+        >>> [ring.tolist() for ring in outline[0]]
+        [[[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0]], [[3.0, 3.0], [3.0, 6.0], [6.0, 6.0], [6.0, 3.0]]]
+        """
+        made: Outline = self._made("outline", self._make_outline)
+        return made
+
+    def _make_outline(self) -> Outline:
+        self._check_input()
+        projected = bool(self._counts["is_projected"])
+        places = self.points if projected else _view(self.points[:, :2])
+        job = library.take_job()
+        job.set(memory_limit=self._request.settings["memory_limit"])
+        job.set_array("points", self.plane_points if projected else places)
+        job.set_array("cells", self.triangles)
+        job.outline()
+        names = ("outline_points", "outline_rings", "outline_polygons")
+        made = Outline(places, *(frozen(job.array(name, self._dtype)) for name in names))
+        library.give_back(job)
         return made
 
     def _is_first(self) -> np.ndarray:

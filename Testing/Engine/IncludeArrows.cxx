@@ -37,6 +37,7 @@ const std::map<std::string, Names>& allowedParts()
     { "Merge", { "Points" } },
     { "Crossings", { "Arithmetic", "Points", "Order", "Predicates" } },
     { "Constrain", { "Points", "Predicates", "Mesh" } },
+    { "Outline", { "Points", "Predicates", "Prepare" } },
     { "Prepare",
       { "Arithmetic", "Points", "Order", "Merge", "Crossings", "Surface", "Triangulation", "" } },
     { "Surface", { "Arithmetic", "Points", "Merge", "Triangulation" } },
@@ -47,8 +48,8 @@ const std::map<std::string, Names>& allowedParts()
       { "Points", "Order", "Predicates", "Mesh", "Constrain", "Extract", "Prepare", "Sample",
         "Triangulation", "" } },
     { "Job",
-      { "Points", "Order", "Merge", "Crossings", "Prepare", "Sample", "Surface", "Triangulation",
-        "Voronoi", "" } },
+      { "Points", "Order", "Merge", "Crossings", "Outline", "Prepare", "Sample", "Surface",
+        "Triangulation", "Voronoi", "" } },
     { "Interface", { "Job" } },
   };
   return kAllowed;

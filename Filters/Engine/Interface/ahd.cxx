@@ -378,6 +378,24 @@ ahd_status ahd_sample_weights(ahd_job* job, const ahd_places* places)
     });
 }
 
+ahd_status ahd_outline(ahd_job* job, ahd_outline_report* report)
+{
+  ahd::OutlineMemory memory;
+  const ahd::Outline* made = nullptr;
+  const ahd_status status = call(job,
+    [&](ahd::Job& own)
+    {
+      own.makeOutline(memory);
+      made = &own.outline();
+    });
+  if (report)
+  {
+    *report = { made ? made->unfitCells : 0, made ? made->unfitEdges : 0, memory.needed,
+      memory.allowed, int32_t(made ? made->plane : ahd::OutlinePlane::Xy) };
+  }
+  return status;
+}
+
 uint64_t ahd_say(ahd_job* job, int32_t topic, int32_t words, const ahd_fact* facts, uint64_t count,
   char* out, uint64_t capacity)
 {

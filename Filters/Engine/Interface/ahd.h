@@ -514,5 +514,6 @@ AHD_API uint64_t ahd_available_memory(void);
 AHD_API void ahd_fingerprint(const void* bytes, uint64_t count, uint64_t kind, uint64_t out[2]);
 
 #include "ahd_messages.h" /* messages about a run */
+#include "ahd_outline.h"  /* the outline of a surface as polygons with holes */
 #include "ahd_sample.h"   /* values between the points, at any places or on a raster */
 #endif

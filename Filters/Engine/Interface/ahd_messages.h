@@ -32,7 +32,8 @@ enum
   AHD_SAY_TRIANGULATION = 1, /* after ahd_run() */
   AHD_SAY_COLUMNS = 2,       /* about arrays to interpolate */
   AHD_SAY_PLACES = 3,        /* after ahd_sample() */
-  AHD_SAY_BLOCKS = 4         /* about blocks of VTK's data sets that are ignored */
+  AHD_SAY_BLOCKS = 4,        /* about blocks of VTK's data sets that are ignored */
+  AHD_SAY_OUTLINE = 5        /* after ahd_outline() */
 };
 
 /* Facts that the job does not know, or that replace its own: counts by their names, and others

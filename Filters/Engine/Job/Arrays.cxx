@@ -430,16 +430,21 @@ const Row& rowOf(Job& job, const char* name)
 
 ArrayShape shapeOf(Job& job, const char* name)
 {
+  if (const std::vector<Index>* list = outlineList(job, name))
+  {
+    return { list->size(), 1 };
+  }
   const Row& row = rowOf(job, name);
   return { row.rows(job.result()), row.columns };
 }
 
 void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::uint64_t capacity)
 {
-  const Row& row = rowOf(job, name);
-  JobResult& made = job.result();
-  const std::size_t numbers = row.rows(made) * row.columns;
-  if (type < kFloat32 || type > kUint8 || (bitOf(type) & row.types) == 0)
+  const std::vector<Index>* const list = outlineList(job, name);
+  const ArrayShape shape = shapeOf(job, name);
+  const std::size_t numbers = shape.rows * shape.columns;
+  const unsigned types = list ? kId : rowOf(job, name).types;
+  if (type < kFloat32 || type > kUint8 || (bitOf(type) & types) == 0)
   {
     refuse(Reason::BadArray,
       "\"" + std::string(name) + "\" cannot be written as type " + std::to_string(type) + ".");
@@ -454,6 +459,14 @@ void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::u
   {
     return;
   }
+  const Target to = { { type, out, Context() }, numbers };
+  if (list)
+  {
+    check(copyIds(to, *list));
+    return;
+  }
+  const Row& row = rowOf(job, name);
+  JobResult& made = job.result();
   made.sampling.forget();
   job.progress.reach(row.stage);
   job.withThreads(
@@ -464,8 +477,8 @@ void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::u
 
 const char* outputArrayName(std::size_t number)
 {
-  const Row* row = rowAt(number);
-  return row ? row->name : nullptr;
+  const Row* const row = rowAt(number);
+  return row ? row->name : outlineArrayName(number - std::size(kRows) - kWantedArrays);
 }
 
 } // namespace ahd

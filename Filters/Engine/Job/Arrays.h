@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace ahd
 {
@@ -23,6 +24,10 @@ void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::u
 
 /// Null past the last.
 const char* outputArrayName(std::size_t number);
+
+// Those of an outline, ids of any type: null if there is none of this name, or number.
+const std::vector<Index>* outlineList(const Job& job, const char* name);
+const char* outlineArrayName(std::size_t number);
 
 /// Where to write the order as it is drawn; see ahd_drawing.
 struct GivenDrawing

@@ -61,6 +61,12 @@ constexpr Row kRows[] = {
     "Making {points} points takes {of_memory}. No point was made. Make fewer." },
   { Topic::Refusal, "out of memory to make points", "refused=memory doing=making",
     "Out of memory while making {points} points." },
+  { Topic::Refusal, "memory to outline", "refused=limit doing=outlining",
+    "The outline of {polygons} cells may take {of_memory}. Nothing was computed. Take fewer cells, "
+    "{or_set_limit}" },
+  { Topic::Refusal, "out of memory to outline", "refused=memory doing=outlining",
+    "Out of memory while outlining {polygons} cells; about {needed} are needed. Take fewer "
+    "cells." },
   { Topic::Refusal, "memory of a rank", "refused=limit doing=distributing",
     "{work} {points} points on {ranks} ranks may take {needed} of memory on rank "
     "{rank}{share+{share}}, but {but_allowed}. The output is empty. Take fewer points or more "
@@ -225,6 +231,22 @@ constexpr Row kRows[] = {
     "{other_sources} {other_sources?block of the source is not a vtkPolyData and was left out; it "
     "is a|blocks of the source are not vtkPolyData and were left out; the first is a} "
     "{first_other_source}." },
+
+  { Topic::Outline, "no polygon", "has_no_polygon",
+    "There is no outline: the input has no polygon. To points, apply Adaptive Hilbert Delaunay 2D "
+    "first." },
+  { Topic::Outline, "strips of polygons", "polygon_strips",
+    "{polygon_strips} triangle {polygon_strips?strip is|strips are} not in the outline. Apply "
+    "vtkTriangleFilter (Triangulate) before it." },
+  { Topic::Outline, "unfit group", "unfit_group",
+    "The cells have no numeric array {unfit_group} with one number each. All are outlined "
+    "together." },
+  { Topic::Outline, "unfit cells", "unfit_cells",
+    "{unfit_cells} {unfit_cells?cell has|cells have} fewer than three corners at different places, "
+    "or corners that are not finite or no points: left out of the outline." },
+  { Topic::Outline, "unfit edges", "unfit_edges",
+    "At {unfit_edges} {unfit_edges?edge|edges} more than two cells meet, or the surface is "
+    "one-sided: these edges are in the outline. Polygons may then have outlines that cross." },
 };
 
 /// Phrases that differ between the C interface, VTK's classes and NumPy; null: as the first.

@@ -42,6 +42,9 @@ constexpr Row kRows[] = {
   { "matrix", bitOf(kFloat64), 4, 4, "AHD_FLOAT64, of 4 rows and columns" },
   { "surface", kInteger, 3, 3, "AHD_INT32 or AHD_INT64, of 3 columns" },
   { "surface_edges", bitOf(kUint8), 1, 1, "AHD_UINT8, of one column" },
+  { "cells", kInteger, 1, kManyColumns, "AHD_INT32 or AHD_INT64" },
+  { "cell_offsets", kInteger, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
+  { "cell_groups", bitOf(kFloat64), 1, 1, "AHD_FLOAT64, of one column" },
 };
 static_assert(sizeof(kRows) / sizeof(kRows[0]) == kInputArrays, "a row for each");
 
@@ -114,8 +117,8 @@ void InputArrays::count(InputRequest& request) const
       "\"skip\" has " + std::to_string((*this)[InputArray::Skip].rows) + " rows, and \"points\" " +
         std::to_string((*this)[InputArray::Points].rows) + ".");
   }
-  countCells(InputArray::LineIds, InputArray::LineOffsets, request.lines);
-  countCells(InputArray::LoopIds, InputArray::LoopOffsets, request.polygons);
+  request.lines = countCells(InputArray::LineIds, InputArray::LineOffsets);
+  request.polygons = countCells(InputArray::LoopIds, InputArray::LoopOffsets);
   countSurface(request.surface);
 }
 
@@ -140,11 +143,11 @@ void InputArrays::countSurface(GivenTriangles& surface) const
   }
 }
 
-void InputArrays::countCells(InputArray idArray, InputArray offsetArray, CellsView& cells) const
+CellsView InputArrays::countCells(InputArray idArray, InputArray offsetArray) const
 {
   const GivenArray& ids = (*this)[idArray];
   const GivenArray& offsets = (*this)[offsetArray];
-  cells = CellsView();
+  CellsView cells;
   cells.ids = static_cast<std::size_t>(ids.rows) * static_cast<std::size_t>(ids.columns);
   if (has(offsetArray))
   {
@@ -161,6 +164,7 @@ void InputArrays::countCells(InputArray idArray, InputArray offsetArray, CellsVi
     cells.cells = ids.columns > 1 ? static_cast<std::size_t>(ids.rows) : cells.ids > 0 ? 1 : 0;
   }
   cells.cells = cells.ids > 0 ? cells.cells : 0;
+  return cells;
 }
 
 std::array<double, 16> InputArrays::matrix() const

@@ -35,9 +35,12 @@ enum class InputArray : std::size_t
   LoopOffsets,
   Matrix,
   Surface,
-  SurfaceEdges
+  SurfaceEdges,
+  Cells,
+  CellOffsets,
+  CellGroups
 };
-constexpr std::size_t kInputArrays = std::size_t(InputArray::SurfaceEdges) + 1;
+constexpr std::size_t kInputArrays = std::size_t(InputArray::CellGroups) + 1;
 
 /// The arrays given to a job, read in place. Invalid ones are refused.
 class InputArrays
@@ -55,6 +58,8 @@ public:
   /// Sets the counts of points, cells, ids and triangles, without reading numbers. Refuses
   /// inconsistent arrays.
   void count(InputRequest& request) const;
+  /// The same of chains or cells.
+  CellsView countCells(InputArray ids, InputArray offsets) const;
 
   /// Bytes of the copies that OpenInput makes.
   std::size_t copiedBytes() const;
@@ -64,7 +69,6 @@ public:
 
 private:
   void countSurface(GivenTriangles& surface) const;
-  void countCells(InputArray ids, InputArray offsets, CellsView& cells) const;
 
   std::array<GivenArray, kInputArrays> arrays_ = {};
 };
@@ -81,12 +85,16 @@ public:
   /// Opens the triangles of a surface, if there are any, and marks the points that are no corner in
   /// place of those that were marked.
   void openSurface(const InputArrays& arrays, const Context& context);
+  /// Opens cells and their groups, and refuses offsets as above.
+  void openPolygons(const InputArrays& arrays, const Context& context);
 
   PointView points;
   PointView sourcePoints;
   CellsView lines;
   CellsView loops;
   GivenTriangles surface;
+  CellsView polygons;
+  const double* groups = nullptr; ///< of these, or null
 
 private:
   struct Copies
@@ -105,7 +113,8 @@ private:
 
   Copies pointCopies_, sourceCopies_;
   std::vector<unsigned char> marks_;
-  CellCopies lineCopies_, loopCopies_, surfaceCopies_;
+  CellCopies lineCopies_, loopCopies_, surfaceCopies_, polygonCopies_;
+  std::vector<double> groupCopies_;
   std::vector<unsigned char> edges_, others_;
 };
 

@@ -31,6 +31,7 @@ JobResult& Job::result()
 
 void Job::release(std::size_t most)
 {
+  outline_.reset();
   if (result_)
   {
     workspace_.reclaim(std::move(result_->triangulation));

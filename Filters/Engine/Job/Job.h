@@ -5,6 +5,7 @@
 #include "../Core/Processors.h"
 #include "../Core/Threads.h"
 #include "InputArrays.h"
+#include "OutlineRun.h"
 #include "Progress.h"
 #include "Projections.h"
 #include "Run.h"
@@ -72,6 +73,11 @@ public:
   /// Moves points to their position in the plane of the result.
   void toPlane(double* xyz, std::size_t count);
 
+  /// Makes the outline of the array cells, without a run.
+  void makeOutline(OutlineMemory& memory);
+  /// Refuses if there is none.
+  const Outline& outline() const;
+
   /// Refuses if there is none.
   JobResult& result();
   /// Null if there is none.
@@ -117,6 +123,7 @@ private:
   void* projectionUser_ = nullptr;
   Workspace workspace_;
   std::unique_ptr<JobResult> result_;
+  std::unique_ptr<Outline> outline_;
   RunReport report_;
 };
 

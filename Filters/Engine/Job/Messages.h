@@ -90,7 +90,8 @@ enum class Topic : std::int32_t
   Triangulation, ///< after a run
   Columns,       ///< about arrays to interpolate
   Places,        ///< after an interpolation
-  Blocks         ///< about ignored blocks of data sets
+  Blocks,        ///< about ignored blocks of data sets
+  Outline        ///< after an outline
 };
 
 struct Message

@@ -205,7 +205,8 @@ std::size_t InputArrays::copiedBytes() const
 {
   const InputArrays& own = *this;
   std::size_t bytes = copiedBytesOf(own[InputArray::LineIds], own[InputArray::LineOffsets]) +
-    copiedBytesOf(own[InputArray::LoopIds], own[InputArray::LoopOffsets]);
+    copiedBytesOf(own[InputArray::LoopIds], own[InputArray::LoopOffsets]) +
+    copiedBytesOf(own[InputArray::Cells], own[InputArray::CellOffsets]);
   for (const InputArray points : { InputArray::Points, InputArray::SourcePoints })
   {
     const GivenArray& array = own[points];
@@ -217,6 +218,8 @@ std::size_t InputArrays::copiedBytes() const
   {
     bytes += isContiguous(own[marks]) ? 0 : static_cast<std::size_t>(own[marks].rows);
   }
+  const GivenArray& groups = own[InputArray::CellGroups];
+  bytes += isContiguous(groups) ? 0 : sizeof(double) * static_cast<std::size_t>(groups.rows);
   const GivenArray& surface = own[InputArray::Surface];
   return bytes +
     (isContiguous(surface) ? 0 : 3 * sizeOf(surface.type) * static_cast<std::size_t>(surface.rows));
@@ -280,12 +283,22 @@ void OpenInput::openCells(const InputArrays& arrays, const Context& context)
   loops = open(arrays, InputArray::LoopIds, InputArray::LoopOffsets, loopCopies_, context);
 }
 
+void OpenInput::openPolygons(const InputArrays& arrays, const Context& context)
+{
+  polygons = open(arrays, InputArray::Cells, InputArray::CellOffsets, polygonCopies_, context);
+  const GivenArray& given = arrays[InputArray::CellGroups];
+  groups = nullptr;
+  if (arrays.has(InputArray::CellGroups) && given.rows > 0)
+  {
+    groups = isContiguous(given) ? static_cast<const double*>(given.data)
+                                 : copyPoints(given, groupCopies_, context);
+  }
+}
+
 CellsView OpenInput::open(const InputArrays& arrays, InputArray ids, InputArray offsets,
   CellCopies& copies, const Context& context)
 {
-  InputRequest counts;
-  arrays.count(counts);
-  CellsView cells = ids == InputArray::LineIds ? counts.lines : counts.polygons;
+  CellsView cells = arrays.countCells(ids, offsets);
   if (cells.ids == 0)
   {
     return cells;

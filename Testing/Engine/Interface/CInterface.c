@@ -76,6 +76,7 @@ int main(void)
   test_results();
   test_sample();
   test_given_surface();
+  test_outline();
   test_messages();
   test_trouble();
   test_unchanged();

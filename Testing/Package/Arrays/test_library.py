@@ -20,7 +20,7 @@ INTERFACE = os.path.join(ROOT, "Filters", "Engine", "Interface")
 
 def header():
     text = ""
-    for name in ("ahd.h", "ahd_messages.h", "ahd_sample.h"):
+    for name in ("ahd.h", "ahd_messages.h", "ahd_outline.h", "ahd_sample.h"):
         with open(os.path.join(INTERFACE, name), encoding="utf-8") as file:
             text += file.read()
     return text
@@ -58,8 +58,10 @@ class HeaderTest(unittest.TestCase):
         job.set_array("points", np.concatenate((SQUARE, [[1, 2.001], [9, 9], [9, 8.5], [20, 20]])))
         job.set_array("source_points", SQUARE[:5])
         job.set_array("line_ids", np.array([[0, 2], [1, 3], [0, 4], [4, 2]]))
+        job.set_array("cells", np.array([[0, 1, 2]]))
         job.run()
         job.sample_weights(SQUARE)
+        job.outline()
         self.assertEqual(set(job.counts()), set(library.names(library.COUNTS)))
         self.assertEqual(set(job.measures()), set(library.names(library.MEASURES)))
         rows = re.findall(r"^ \*   (\w+) +(id|real|uint8|int32|int64|float64) +\((\w+|\w+ \+ 1)(?:, (\d))?\)", header(),

@@ -96,7 +96,8 @@ def refusals():
     yield {"reason": engine.MEMORY_LIMIT, **LIMIT, "memory_estimate": 2**62}
     yield {"reason": engine.MEMORY_LIMIT, **LIMIT, "is_in_kib": 0}
     for doing, more in (("interpolating", {"places": 2.0**62, "of_triangulation": 1}), ("merging", {}), ("making", {}),
-                        ("sampling", {"places": 30, "memory_needed": 700})):  # fmt: skip
+                        ("outlining", {"polygons": 50}), ("sampling", {"places": 30, "memory_needed": 700}),
+                        ):  # fmt: skip
         yield {"reason": engine.MEMORY_LIMIT, "doing": doing, **LIMIT, **more}
     on_rank = {"reason": engine.MEMORY_LIMIT, **LIMIT, "of_rank": 1, "rank": 2}
     for share in ("", " (of its own)"):
@@ -105,6 +106,7 @@ def refusals():
         yield {**on_rank, "doing": "gathering", "setting": "Alpha", "are_sent": sent}
     yield {"reason": engine.OUT_OF_MEMORY, "doing": "interpolating", **MEMORY, "places": -1.0}
     yield {"reason": engine.OUT_OF_MEMORY, "doing": "making", **MEMORY}
+    yield {"reason": engine.OUT_OF_MEMORY, "doing": "outlining", **MEMORY, "polygons": 50}
     bad = {"bad_cell": 4, "begin": -1, "end": 7, "ids": 6}
     yield {"reason": engine.BAD_ARRAY, "cells": "polygons of the source", **bad}
     yield {"reason": engine.BAD_ARRAY}
@@ -141,6 +143,9 @@ def cases():
     for k, facts in enumerate(facts_of_places()):
         yield engine.SAY_PLACES, "places %d" % k, facts
     for count in (1, 2):
+        yield engine.SAY_OUTLINE, "outline %d" % count, {
+            "unfit_cells": count, "unfit_edges": count, "has_no_polygon": 1, "polygon_strips": count,
+            "unfit_group": "Flow"}  # fmt: skip
         yield engine.SAY_BLOCKS, "blocks %d" % count, {
             "other_blocks": count, "first_other": "vtkTable", "unfit_marks": count, "without_points": "vtkImageData",
             "other_sources": count, "first_other_source": "vtkImageData"}  # fmt: skip
