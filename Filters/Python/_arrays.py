@@ -24,6 +24,7 @@ __all__ = [
 def delaunay(
     points: Any,
     *,
+    constraints: Any = None,
     segments: Any = None,
     lines: Any = None,
     loops: Any = None,
@@ -66,6 +67,15 @@ def delaunay(
         x, y and optionally z, in one unit. float32 and float64 are not copied, whatever their strides, if the
         coordinates of a point are contiguous; other types are converted to float64. Points whose x or y is NaN or
         infinite are rejected, and a warning counts them. Do not change arrays while the triangulation is in use.
+    constraints : geometry, (k, 2) or (k, 3) array of real numbers, or sequence of these, optional
+        Constraints with points of their own, which follow `points` in the result, in this order: polygons and rings are
+        loops, lines are lines, points just points. A geometry is anything with `__geo_interface__` (shapely's,
+        a GeoDataFrame) or a mapping as in GeoJSON, collections included; an array is a ring. A ring may end with its
+        first point; empty geometries and None are nothing. Where a geometry has no z, its z is NaN; if none has one,
+        heights and values are those of the surface (`source_heights` is 'surface').
+        All rings count alike for `fill_rule`: with 'even_odd' a place in two polygons is outside, and so are polygons
+        in others; dissolve them before (``gdf.union_all()``) to keep all that lies in any. Rings that cross themselves
+        or others are treated as `crossings` says.
     segments : (m, 2) array of int, optional
         Pairs of ids that become edges. A segment that passes through points becomes several edges.
     lines : sequence of sequences of int, or (c, w) array, optional

@@ -141,7 +141,7 @@ _CHAINS = "a chain of ids of points, rows of an array, or a sequence of chains"
 
 
 def _no_ids(name: str, wanted: str) -> ValueError:
-    return ValueError("%s must be %s; coordinates go to source_points" % (name, wanted))
+    return ValueError("%s must be %s; coordinates go to constraints" % (name, wanted))
 
 
 def _ids(name: str, given: Any, wanted: str = _CHAINS) -> np.ndarray:
@@ -157,7 +157,7 @@ def _ids(name: str, given: Any, wanted: str = _CHAINS) -> np.ndarray:
     if ids.dtype == object:  # of these an older NumPy makes one
         raise _no_ids(name, wanted)
     if ids.dtype.kind not in "iu":
-        hint = ": coordinates go to source_points" if ids.dtype.kind == "f" else ""
+        hint = ": coordinates go to constraints" if ids.dtype.kind == "f" else ""
         raise TypeError("%s must be whole numbers, the ids of points, not of type %s%s" % (name, ids.dtype, hint))
     if ids.dtype.kind == "u" and ids.dtype.itemsize == 8 and ids.max() > 2**63 - 1:
         raise ValueError("%s: %d is not the id of a point" % (name, ids.max()))

@@ -9,7 +9,7 @@ import numpy as np
 
 from ._arrays import delaunay
 from ._raster import real_numbers, unmasked
-from ._sampling import check_outside, check_rows
+from ._sampling import check_outside
 from ._triangulation import Triangulation
 
 
@@ -28,7 +28,7 @@ class _Interpolator:
             points = delaunay(points, threads=threads)
         self.triangulation: Triangulation = points
         self.values = np.array(unmasked("values", values))
-        check_rows(self.values, points.counts)
+        points._lacking_rows(self.values)
         self.values.flags.writeable = False
 
     def _own(self, points: Any, rescale: bool) -> np.ndarray:

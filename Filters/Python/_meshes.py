@@ -11,8 +11,9 @@ import numpy
 import pyvista
 
 from . import _raster, _vtk
+from ._geometry import constraints_of
 from ._input import PLANES, chosen_plane, real_of
-from ._interface import PLANE_BEST_FIT, SAY_TRIANGULATION, WORDS_OF_NUMPY, say
+from ._interface import HEIGHTS_FROM_SURFACE, PLANE_BEST_FIT, SAY_TRIANGULATION, WORDS_OF_NUMPY, say
 from ._keywords import MESH_KEYWORDS
 from ._names import value_of
 from ._sampling import METHODS, OUTSIDE
@@ -145,12 +146,14 @@ def _arrays_to_add(names):
     return {ARRAY_KEYWORDS[name]: True for name in names}
 
 
-def _constrain(algorithm, port, to_constrain, edge_source, constraints):
+def _constrain(algorithm, port, to_constrain, edge_source, constraints, mesh):
     """Gives the constraints, if any, to a port of `to_constrain`."""
     if edge_source is not None and constraints is not None:
         raise ValueError("edge_source refers to the mesh's points, constraints have their own: give one of them")
     if constraints is not None:
         algorithm.SetSourceModeToCoordinates()
+        if not hasattr(constraints, "IsA"):
+            constraints = _mesh_of(constraints, algorithm, mesh)
     for argument, given in (("edge_source", edge_source), ("constraints", constraints)):
         if given is not None and not (hasattr(given, "IsA") and (
                 given.IsA("vtkPolyData") or given.IsA("vtkCompositeDataSet"))):
@@ -158,6 +161,22 @@ def _constrain(algorithm, port, to_constrain, edge_source, constraints):
                 argument, type(given).__name__))
     if edge_source is not None or constraints is not None:
         to_constrain.SetInputDataObject(port, constraints if edge_source is None else edge_source)
+
+
+def _mesh_of(constraints, algorithm, mesh):
+    """Geometries as a pyvista.PolyData. Where none has a z, they lie on the surface: of a mesh in one height at that,
+    else they take theirs from it."""
+    made = constraints_of(constraints)
+    points = made.source(True)
+    if made.points.shape[1] == 2:
+        low, high = mesh.bounds[4:6]
+        if low == high:
+            points[:, 2] = low
+        else:
+            algorithm.SetSourceHeights(HEIGHTS_FROM_SURFACE)
+    cells = {name: numpy.concatenate([numpy.r_[len(chain), chain] for chain in chains])
+             for name, chains in (("lines", made.lines), ("faces", made.loops)) if chains}
+    return pyvista.PolyData(points, **cells)
 
 
 def _run(algorithm, messages, progress_bar, title):
@@ -191,7 +210,7 @@ def delaunay_2d(mesh, inplace, edge_source, progress_bar, constraints, plane, me
         raise TypeError("inplace: a pyvista.PolyData can be overwritten, not %s" % type(mesh).__name__)
     algorithm, messages = _make_filter(mesh, plane, memory_limit, settings)
     _set(algorithm, **_arrays_to_add(arrays))
-    _constrain(algorithm, 1, algorithm, edge_source, constraints)
+    _constrain(algorithm, 1, algorithm, edge_source, constraints, mesh)
     _run(algorithm, messages, progress_bar, "Computing 2D Triangulation")
     return _into(mesh, _taken(algorithm.GetOutput()), inplace)
 
@@ -217,7 +236,7 @@ def _interpolate(mesh, places, raster, method, outside, no_value, gradients, ele
     algorithm.SetInputDataObject(mesh)
     if places is not None:
         algorithm.SetInputDataObject(1, places)
-    _constrain(triangulation, 2, algorithm, edge_source, constraints)
+    _constrain(triangulation, 2, algorithm, edge_source, constraints, mesh)
     _set(algorithm, Method=_number_of(method, "method"), Outside=_number_of(outside, "outside"),
          NoValue=no_value, GenerateGradients=bool(gradients), HeightArrayName=elevation, **raster)
     _run(algorithm, messages, progress_bar, "Interpolating")

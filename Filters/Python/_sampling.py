@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -58,23 +58,6 @@ def check_outside(name: str, given: Any, also: str, kind: str) -> None:
         raise TypeError("%s must be a number%s, not %r" % (name, also, given))
 
 
-def check_rows(given: np.ndarray, counts: Mapping[str, int]) -> None:
-    """Has it a row for each point of the input and of a source? ValueError."""
-    count, added = counts["input_points"] + counts["source_points"], counts["source_points"]
-    if given.ndim < 1 or len(given) != count:
-        last = ", the last %d of which are those of source_points" % added if added else ""
-        raise ValueError("values must have a row for each of %d points%s, not the shape %s" % (
-            count, last, given.shape))  # fmt: skip
-
-
-def _numbers_of(values: Any, counts: Mapping[str, int], kinds: str) -> np.ndarray:
-    given = unmasked("values", values)
-    check_rows(given, counts)
-    if given.dtype.kind not in kinds:
-        raise TypeError("values must be real numbers, not of type %s" % given.dtype)
-    return given
-
-
 class Sampled(Made):
     """The interpolation on a Triangulation."""
 
@@ -82,6 +65,30 @@ class Sampled(Made):
         """The job. The first time the engine makes tables of its own, and reads no points after that. Requires: the
         lock."""
         return self._job if self._job is not None and self._job.hasTables else self._engine()
+
+    def _lacking_rows(self, given: np.ndarray) -> int:
+        """How many rows values lack: those of source points, if these take them from the surface. ValueError unless
+        there is one for each other point."""
+        added = self._counts["source_points"]
+        count = self._counts["input_points"] + added
+        fromSurface = self._request.settings["source_heights"] == library.HEIGHTS_FROM_SURFACE
+        if fromSurface and given.ndim and len(given) == count - added:
+            return added
+        if given.ndim < 1 or len(given) != count:
+            last = ", the last %d of which are those of the constraints" % added if added else ""
+            raise ValueError("values must have a row for each of %d points%s, not the shape %s" % (
+                count, last, given.shape))  # fmt: skip
+        return 0
+
+    def _numbers_of(self, values: Any, kinds: str) -> np.ndarray:
+        """With a row for each point of the input and of a source."""
+        given = unmasked("values", values)
+        lacking = self._lacking_rows(given)
+        if given.dtype.kind not in kinds:
+            raise TypeError("values must be real numbers, not of type %s" % given.dtype)
+        if lacking:
+            given = np.concatenate((given, np.full((lacking, *given.shape[1:]), np.nan)))
+        return given
 
     def raster(
         self,
@@ -213,7 +220,7 @@ class Sampled(Made):
         if at is None:
             if method != "linear" or gradient or np.ndim(outside) or not _is_nan(outside):
                 raise ValueError("method, outside and gradient are for values at places: give these as `at`")
-            given = _numbers_of(values, self._counts, "biuf")
+            given = self._numbers_of(values, "biuf")
             return self._for_points(given, self._columns_of_z(given))
         return self._at(values, at, method, outside, gradient, progress)
 
@@ -272,7 +279,7 @@ class Sampled(Made):
         if fills is None:
             raise ValueError("outside must be a number, 'nearest' or 'boundary', not %r" % (outside,))
         places, shape = places_of(at)
-        given = _numbers_of(values, self._counts, "biufc")
+        given = self._numbers_of(values, "biufc")
         if not isinstance(outside, str) and outside is not np.nan:
             check_outside("outside", outside, ", 'nearest' or 'boundary'", given.dtype.kind)
         isFilled = not isinstance(outside, str) and not _is_nan(outside)

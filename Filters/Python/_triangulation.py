@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, Iterable, Mapping, Option
 import numpy as np
 
 from . import _library as library
-from ._input import CHOICES, DEFAULTS, Plane, Request
+from ._geometry import constraints_of
+from ._input import CHOICES, DEFAULTS, Plane, Request, points_of
 from ._keywords import WANTED
 from ._made import frozen
 from ._results import Boxes, Location, Outline, Voronoi, chained
@@ -464,8 +465,25 @@ class Triangulation(Sampled):
 _IDS = frozenset((np.dtype(np.int32), np.dtype(np.int64)))  # of the machine's byte order
 
 
+def _constrained(
+    constraints: Any, others: Mapping[str, Any], isInSpace: bool, settings: Dict[str, Any]
+) -> Tuple[Optional[np.ndarray], Dict[str, Any], Dict[str, Any]]:
+    """Source points, chains and settings for constraints that bring their points. `others`: their names, and None.
+    Without a z of their own, their heights are those of the surface."""
+    for name, value in others.items():
+        if value is not None:
+            raise ValueError("constraints bring points of their own: give either these or %s" % name)
+    made = constraints_of(constraints)
+    if not len(made.points):
+        return None, {}, settings
+    if made.points.shape[1] == 2:
+        settings = {**settings, "source_heights": "surface"}
+    return made.source(isInSpace), {"lines": made.lines, "loops": made.loops}, settings
+
+
 def triangulate(
     points: Any,
+    constraints: Any,
     segments: Any,
     lines: Any,
     loops: Any,
@@ -488,6 +506,10 @@ def triangulate(
     if progress is not None and not callable(progress):
         raise TypeError("progress must be a function, not %r" % (progress,))
     chains = {"segments": segments, "lines": lines, "loops": loops}
+    if constraints is not None:
+        points = points_of("points", points)
+        given = {**chains, "source_points": source_points}
+        source_points, chains, settings = _constrained(constraints, given, points.shape[1] == 3, settings)
     request = Request(points, skip, source_points, chains, plane, settings)
     made = Triangulation(request, dtype, wanted, progress)
     warn(made._job, {"plane_was_chosen": 1} if request.plane_was_chosen else {})

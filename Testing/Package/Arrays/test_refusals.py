@@ -17,10 +17,11 @@ from adaptivehilbertdelaunay import DelaunayWarning, LinearInterpolator, Nearest
 from arraysupport import SQUARE, cloud
 
 import literals  # (arraysupport has put its folder on the path)
+import test_geometry
 import test_input
 
 FILE = pathlib.Path(__file__).with_name("Refusals.json")
-MODULES = ("_input.py", "_interpolators.py", "_raster.py", "_sampling.py", "_triangulation.py")
+MODULES = ("_geometry.py", "_input.py", "_interpolators.py", "_raster.py", "_sampling.py", "_triangulation.py")
 # Exceptions that are caught again, with other texts.
 INSIDE = (" is not a number",)
 NOT_MUST = re.compile("(is|are|has|have) to (be|have) ")
@@ -92,8 +93,11 @@ CALLS = {
     "ragged segments": lambda: delaunay(SQUARE, segments=[[0, 1], [2]]),
     "values without those of the source": lambda: WITH_SOURCE.interpolate(VALUES, PLACE),
     "values of an interpolator with a source": lambda: LinearInterpolator(WITH_SOURCE, VALUES),
+    "constraints of both kinds": lambda: delaunay(SQUARE, constraints=SQUARE[:3], loops=[0, 1, 2]),
     "a masked skip": lambda: delaunay(SQUARE, skip=np.ma.masked_equal(np.zeros(6, bool), True)),
 }
+for k, (_, given, _) in enumerate(test_geometry.WRONG):
+    CALLS["constraints %d" % k] = lambda given=given: delaunay(SQUARE, constraints=given)
 for k, (_, points, _) in enumerate(test_input.RefusedTest.POINTS):
     CALLS["points %d" % k] = lambda points=points: delaunay(points)
 for k, (_, name, value, _) in enumerate(test_input.RefusedTest.KEYWORDS):

@@ -126,6 +126,26 @@ class DelaunayTest(unittest.TestCase):
         made = mesh.adaptive.delaunay_2d(constraints=lines, heights="surface", plane="xy")
         self.assertTrue((made.points[:, 2] == 7).all())
 
+    def test_geometries(self):
+        """As for arrays: with a z of their own, of the surface, or of a flat mesh."""
+        xy = numpy.r_[scattered(300), box(0, 0, 1000)][:, :2]
+        hill, flat = mesh_of(numpy.c_[xy, xy.sum(axis=1)]), mesh_of(numpy.c_[xy, numpy.full(len(xy), 7.0)])
+        ring, hole = numpy.array(box(100, 100, 800)), numpy.array(box(300, 300, 200))[::-1]
+        field = {"type": "Polygon", "coordinates": [ring[:, :2], hole[:, :2]]}
+        line = {"type": "LineString", "coordinates": [(200, 200), (200, 800)]}
+        for mesh, z in ((hill, lambda made: made.points[:, :2].sum(axis=1)), (flat, lambda made: 7)):
+            for given in (field, [field, line], [ring[:, :2], hole[:, :2].tolist()]):
+                made = mesh.adaptive.delaunay_2d(constraints=given)
+                self.assertAlmostEqual(area(made), 600000, delta=1)
+                self.assertLess(abs(made.points[:, 2] - z(made)).max(), 1e-9)
+        dem = hill.adaptive.to_raster(100, constraints=field)
+        self.assertEqual(dem["vtkValidPointMask"].sum(), 60)
+        in_hole = hill.adaptive.sample([[400, 400, 0]], constraints=[ring, hole])
+        self.assertTrue(numpy.isnan(in_hole["Elevation"][0]))
+        made = hill.adaptive.delaunay_2d(constraints={"type": "LineString", "coordinates": [(1, 1, 5), (9, 9, 6)]})
+        self.assertEqual(made.points[-2:, 2].tolist(), [5, 6])
+        self.assertEqual(hill.adaptive.delaunay_2d(constraints=[]).n_cells, hill.adaptive.delaunay_2d().n_cells)
+
     def test_alpha_and_lengths(self):
         mesh = mesh_of(scattered(500))
         whole, small = mesh.adaptive.delaunay_2d(), mesh.adaptive.delaunay_2d(alpha=40.0)

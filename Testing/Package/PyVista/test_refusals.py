@@ -40,8 +40,11 @@ ROWS = [
     ("delaunay_2d", dict(offset=0.5), ValueError, "offset must be a number from 0.75 to 1.7e+308, not 0.5"),
     ("delaunay_2d", dict(maximum_edge_length=numpy.nan), ValueError,
      "maximum_edge_length must be a number from 0 to inf, not nan"),
-    ("delaunay_2d", dict(constraints=POINTS), TypeError,
-     "constraints must be a pyvista.PolyData, or a MultiBlock of these, not ndarray"),
+    ("delaunay_2d", dict(constraints=MESH.cast_to_unstructured_grid()), TypeError,
+     "constraints must be a pyvista.PolyData, or a MultiBlock of these, not UnstructuredGrid"),
+    ("delaunay_2d", dict(constraints=7), TypeError,
+     "constraints must be a geometry (shapely, geopandas, GeoJSON, anything with __geo_interface__), a ring as an "
+     "array of shape (k, 2) or (k, 3), or a sequence of these, not int"),
     ("delaunay_2d", dict(edge_source=MESH.cast_to_unstructured_grid()), TypeError,
      "edge_source must be a pyvista.PolyData, or a MultiBlock of these, not UnstructuredGrid"),
     ("delaunay_2d", dict(plane=3), TypeError,
