@@ -47,8 +47,8 @@ packages_to() {
     test-*)
       echo openmpi-bin libglew-dev git libgtest-dev libbenchmark-dev libcgal-dev libgmp-dev libmpfr-dev
       echo ccache clang llvm valgrind shellcheck pyflakes3 libtbb-dev python3-venv python3-pip python3-gdal
-      # what brings geometries and tables to the Python package
-      echo python3-geopandas python3-shapely
+      # what brings geometries and rasters to the Python package
+      echo python3-geopandas python3-rasterio python3-shapely python3-xarray
       ;;&
     test-12) echo clang-format libclang-rt-14-dev ;;
     test-13 | test-testing) echo libclang-rt-dev ;;

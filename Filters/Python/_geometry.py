@@ -31,10 +31,10 @@ class Constraints(NamedTuple):
         return np.column_stack((self.points, np.full(len(self.points), np.nan)))
 
 
-def constraints_of(given: Any) -> Constraints:
+def constraints_of(given: Any, name: str = "constraints") -> Constraints:
     """TypeError, ValueError for what is none, and for places that are not finite."""
     reader = _Reader()
-    reader.take("constraints", given)
+    reader.take(name, given)
     columns = max([part.shape[1] for part in reader.parts], default=2)
     points = np.full((reader.count, columns), np.nan)
     for begin, part in zip(reader.begins, reader.parts):

@@ -137,9 +137,7 @@ class LinearInterpolator(_Interpolator):
 
     def __call__(self, *args: Any) -> np.ndarray:
         """Values at places: ``f(x, y)``, ``f((x, y))`` or ``f(places)``."""
-        made: np.ndarray = self.triangulation.interpolate(
-            self.values, self._places(args), self._method, outside=self.fill_value
-        )
+        made: np.ndarray = self.triangulation._at(self.values, self._places(args), self._method, self.fill_value)
         return made
 
 

@@ -5,7 +5,6 @@ that are one number or word each, but for `memory_limit`."""
 import importlib
 import operator
 import re
-import warnings
 
 import numpy
 import pyvista
@@ -21,7 +20,7 @@ from ._vtk.arrays import coordinates, ghost_marks
 from ._vtk.blocks import Blocks
 from ._vtk.execution import SKIPPED
 from ._vtk.table import ARRAY_KEYWORDS
-from ._warnings import DelaunayWarning, _depth
+from ._warnings import tell
 
 #: The words of an argument, in the order of the filter's numbers.
 WORDS = {**{name: row.words for name, row in MESH_KEYWORDS.items() if row.words},
@@ -53,8 +52,7 @@ class _Messages:
         for event, text in self._said:
             if event == "ErrorEvent":
                 raise MemoryError(_with_keyword(text)) if "memory" in text else RuntimeError(text)
-        for _, text in self._said:
-            warnings.warn(text, DelaunayWarning, stacklevel=_depth())
+        tell(text for _, text in self._said)
 
 
 def _with_keyword(text):
@@ -243,7 +241,7 @@ def _interpolate(mesh, places, raster, method, outside, no_value, gradients, ele
     return _taken(algorithm.GetOutputDataObject(0))
 
 
-def _raster_settings(cell_size, shape, bounds, align):
+def _raster_settings(mesh, plane, cell_size, shape, bounds, align):
     if (cell_size is None) == (shape is None):
         raise ValueError("the raster needs a size: give cell_size, or shape=(rows, columns)")
     made = {"UseBounds": bounds is not None}
@@ -255,7 +253,9 @@ def _raster_settings(cell_size, shape, bounds, align):
             raise ValueError("align needs cell_size, but shape is given")
         made.update(RasterSize=0, Dimensions=(columns, rows))
     if bounds is not None:
-        given = tuple(bounds)[:4] if numpy.ndim(bounds) == 1 else bounds  # of those of a mesh, without its z
+        given = tuple(bounds)[:4] if numpy.ndim(bounds) == 1 and len(bounds) > 4 else bounds  # of a mesh, without z
+        if plane == "xy":
+            _raster.check_order(given, lambda: mesh.bounds[:4])
         xmin, xmax, ymin, ymax = made["Bounds"] = _raster.bounds_of(given)
         if xmin == xmax or ymin == ymax:
             raise ValueError("bounds must have an area, not %r" % (bounds,))
@@ -263,7 +263,7 @@ def _raster_settings(cell_size, shape, bounds, align):
 
 
 def to_raster(mesh, cell_size, shape, bounds, align, surface, **more):
-    raster = _raster_settings(cell_size, shape, bounds, align)
+    raster = _raster_settings(mesh, more["plane"], cell_size, shape, bounds, align)
     return _interpolate(mesh, None, dict(raster, OutputType=int(bool(surface))), **more)
 
 

@@ -6,9 +6,12 @@ from __future__ import annotations
 import math
 import operator
 from dataclasses import dataclass
-from typing import Any, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
+
+from . import _exchange
+from ._geometry import constraints_of
 
 MOST = 2**31 - 1  # rows or columns
 
@@ -41,6 +44,10 @@ class Raster:
     (array([0.5, 1.5, 2.5]), array([0.5, 1.5]), (0.0, 3.0, 0.0, 2.0))
     >>> cells.geotransform
     (0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
+    >>> cells.north_up()
+    Raster(origin=(0.5, 1.5), spacing=(1.0, -1.0), shape=(2, 3))
+    >>> cells[:, 1:]
+    Raster(origin=(1.5, 0.5), spacing=(1.0, 1.0), shape=(2, 2))
     """
 
     origin: Tuple[float, float]
@@ -55,6 +62,67 @@ class Raster:
                 raise ValueError("%s must be %s, not %r" % (name, wanted, pair))
             object.__setattr__(self, name, pair)
         object.__setattr__(self, "shape", shape_of(self.shape, 0))
+
+    @classmethod
+    def from_geotransform(cls, geotransform: Any, shape: Sequence[int]) -> Raster:
+        """The raster of a map.
+
+        Parameters
+        ----------
+        geotransform : six numbers in GDAL's order, or an affine.Affine as rasterio's `transform`
+            For pixels that are areas. Rows and columns must run along the axes.
+        shape : (rows, columns) of int
+        """
+        return cls(*_exchange.places_of(geotransform), shape_of(shape, 0))
+
+    @classmethod
+    def like(cls, given: Any) -> Raster:
+        """The raster of a rasterio or GDAL data set, an xarray DataArray or Dataset (by the coordinates of its last two
+        dimensions, which must be evenly spaced, within a hundredth of a cell), or of another Raster: its values are
+        then those of the same cells, in the same rows and columns."""
+        return given if isinstance(given, cls) else cls(*_exchange.raster_of(given))
+
+    def north_up(self) -> Raster:
+        """The same cells with the northernmost row first, as in most maps."""
+        (x, _), (dx, dy) = self.origin, self.spacing
+        return self if dy < 0 or not self.shape[0] else Raster((x, float(self.y[-1])), (dx, -dy), self.shape)
+
+    def __getitem__(self, part: Any) -> Raster:
+        """A tile: ``raster[rows]`` or ``raster[rows, columns]``, of slices without steps. Its places are those of the
+        whole, up to rounding."""
+        slices = part if isinstance(part, tuple) else (part,)
+        if not 0 < len(slices) < 3 or not all(isinstance(one, slice) and one.step in (None, 1) for one in slices):
+            raise TypeError("a raster has tiles raster[rows] and raster[rows, columns], of slices without steps")
+        spans = [one.indices(count)[:2] for one, count in zip((*slices, slice(None)), self.shape)]
+        (row, end), (column, last) = spans
+        origin = self.origin[0] + column * self.spacing[0], self.origin[1] + row * self.spacing[1]
+        return Raster(origin, self.spacing, (max(0, end - row), max(0, last - column)))
+
+    def to_xarray(self, values: Any, name: Optional[str] = None) -> Any:
+        """Values of these cells as an xarray.DataArray with the dimensions "y" and "x"; more of them follow."""
+        return _exchange.to_xarray(self, values, name)
+
+    def to_geotiff(self, path: Any, values: Any, crs: Any = None) -> None:
+        """Writes values of these cells as a GeoTIFF by rasterio or GDAL, whichever Python finds.
+
+        Parameters
+        ----------
+        path : str or path
+        values : (rows, columns) or (rows, columns, bands) array of real numbers
+            Written with the north up, whichever way the rows run. Of float32, float64 or int types that GeoTIFFs have;
+            others as float64. NaN is the value of cells without one.
+        crs : optional
+            The coordinate reference system: "EPSG:32633", its number, WKT, or an object that has `to_wkt`, like those
+            of pyproj and rasterio.
+
+        Raises
+        ------
+        ImportError
+            There is neither rasterio nor GDAL.
+        ValueError, OSError
+            Arrays do not fit; no such reference system; the file cannot be written.
+        """
+        _exchange.to_geotiff(self, path, values, crs)
 
     @property
     def x(self) -> np.ndarray:
@@ -83,6 +151,13 @@ class Raster:
         (bounds[0], bounds[3]), and the height is negative."""
         (x, y), (dx, dy) = self.origin, self.spacing
         return x - dx / 2, dx, 0.0, y - dy / 2, 0.0, dy
+
+
+def xy_of(given: Any) -> Any:
+    """Places; x and y where they are a tuple of two, which are broadcast together."""
+    if not (isinstance(given, tuple) and len(given) == 2):
+        return given
+    return np.stack(np.broadcast_arrays(*(unmasked("places", one) for one in given)), axis=-1)
 
 
 def unmasked(name: str, given: Any) -> np.ndarray:
@@ -142,15 +217,61 @@ def size_of(given: Any) -> Tuple[float, float]:
     return size
 
 
+_BOUNDS = "bounds must be xmin, xmax, ymin, ymax"
+
+
+def _other_order(given: Any) -> ValueError:
+    return ValueError(_BOUNDS + ", but %r are xmin, ymin, xmax, ymax, as in shapely and rasterio: give the geometry, "
+                      "the raster or the BoundingBox itself, or put them in order" % (given,))  # fmt: skip
+
+
+def _area_of(given: Any) -> Optional[Tuple[float, float, float, float]]:
+    """Of a Raster, a geometry, or a BoundingBox of rasterio; None of others. ValueError."""
+    if isinstance(given, Raster):
+        return given.bounds
+    if hasattr(given, "left") and hasattr(given, "bottom"):
+        return given.left, given.right, given.bottom, given.top
+    if not (hasattr(given, "__geo_interface__") or isinstance(given, Mapping)):
+        return None
+    places = constraints_of(given, "bounds").points
+    if not len(places):
+        raise ValueError("bounds: the geometry is empty")
+    (xmin, ymin), (xmax, ymax) = places[:, :2].min(axis=0).tolist(), places[:, :2].max(axis=0).tolist()
+    return xmin, xmax, ymin, ymax
+
+
 def bounds_of(given: Any) -> Tuple[float, float, float, float]:
-    """The area of a raster."""
+    """The area of a raster: four numbers, or what has an area."""
+    area = _area_of(given)
+    given = given if area is None else area
     try:
         xmin, xmax, ymin, ymax = (number_of(number) for number in given)
     except (TypeError, ValueError):
         raise TypeError("bounds must be four numbers: xmin, xmax, ymin, ymax; not %r" % (given,)) from None
     if not (xmin <= xmax and ymin <= ymax and all(map(math.isfinite, (xmin, xmax, ymin, ymax)))):
-        raise ValueError("bounds must be xmin, xmax, ymin, ymax, finite and ascending, not %r" % (given,))
+        if xmin < ymin and xmax < ymax and all(map(math.isfinite, (xmin, xmax, ymin, ymax))):
+            raise _other_order(given)
+        raise ValueError(_BOUNDS + ", finite and ascending, not %r" % (given,))
     return xmin, xmax, ymin, ymax
+
+
+def check_order(given: Any, points: Callable[[], Sequence[float]]) -> None:
+    """ValueError for four numbers that are xmin, ymin, xmax, ymax, as far as the area of the points tells: in that
+    order they have an area there, and in the other one none at all, or a thousandth of it has points."""
+    area = bounds_of(given)
+    other = (area[0], area[2], area[1], area[3])
+    if area[0] < area[2] and area[1] < area[3] and _area_of(given) is None:
+        ours, theirs = _share(area, points()), _share(other, points())
+        if theirs > 1000 * ours and (ours > 0 or area[0] == area[1] or area[2] == area[3]):
+            raise _other_order(given)
+
+
+def _share(area: Sequence[float], box: Sequence[float]) -> float:
+    """How much of an area is in a box, from 0 to 1."""
+    share = 1.0
+    for low, high, least, most in ((*area[:2], *box[:2]), (*area[2:], *box[2:])):
+        share *= max(0.0, min(high, most) - max(low, least)) / (high - low) if high > low else 0.0
+    return share
 
 
 def raster_over(

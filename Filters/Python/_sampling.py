@@ -9,8 +9,10 @@ from typing import Any, Callable, NamedTuple, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from . import _library as library
+from ._interface import SAY_PLACES, WORDS_OF_NUMPY, say
 from ._made import Made, frozen
-from ._raster import Raster, raster_over, real_numbers, unmasked
+from ._raster import Raster, check_order, raster_over, real_numbers, unmasked, xy_of
+from ._warnings import tell as warn_of
 
 #: In the order of the header's numbers.
 METHODS = ("linear", "natural", "laplace", "nearest")
@@ -42,7 +44,7 @@ def places_of(given: Any) -> Tuple[Union[Raster, np.ndarray], Tuple[int, ...]]:
     """Places as a job takes them, and the shape of values at them."""
     if isinstance(given, Raster):
         return given, given.shape
-    places = unmasked("places", given)
+    places = unmasked("places", xy_of(given))
     if places.ndim < 1 or places.shape[-1] != 2:
         if places.shape != (0,):
             raise ValueError("places must be of shape (k, 2) or (..., 2), or a Raster, not %s" % (places.shape,))
@@ -95,8 +97,9 @@ class Sampled(Made):
         *,
         cell_size: Union[None, float, Sequence[float]] = None,
         shape: Optional[Sequence[int]] = None,
-        bounds: Optional[Sequence[float]] = None,
+        bounds: Any = None,
         align: bool = False,
+        like: Any = None,
     ) -> Raster:
         """A raster over the triangulation, for `interpolate`.
 
@@ -108,16 +111,21 @@ class Sampled(Made):
         shape : (rows, columns) of int, from 1 to 2**31 - 1
             The number of cells; they fill the bounds, and a side of length 0 has one row. Give either `cell_size` or
             `shape`.
-        bounds : (xmin, xmax, ymin, ymax) of float, default: those of the vertices, in the plane of the triangulation
-            The area to cover.
+        bounds : (xmin, xmax, ymin, ymax) of float, or what has an area, optional
+            The area to cover; by default that of the vertices, in the plane of the triangulation. A geometry
+            (shapely's, a GeoDataFrame, anything with `__geo_interface__`), a Raster or rasterio's BoundingBox is taken
+            as it is. Numbers in the order of shapely and rasterio, xmin, ymin, xmax, ymax, are refused where the
+            vertices tell.
         align : bool, default False
             With `cell_size`: are the borders of the cells multiples of it (as with -tap of GDAL's programs)? Else
             the first cell begins at xmin and ymin.
+        like : Raster, data set of rasterio or GDAL, xarray.DataArray or Dataset, optional
+            Instead of all others: its cells, see `Raster.like`.
 
         Returns
         -------
         Raster
-            Its places are the centres of the cells, row 0 is in the south.
+            Its places are the centres of the cells, row 0 is in the south (`Raster.north_up`: in the north).
 
         Raises
         ------
@@ -136,13 +144,23 @@ class Sampled(Made):
         >>> made.raster(cell_size=5, align=True)
         Raster(origin=(2.5, 2.5), spacing=(5.0, 5.0), shape=(1, 2))
         """
+        if like is not None:
+            if not (cell_size is None and shape is None and bounds is None) or align:
+                raise ValueError("like is a whole raster: cell_size, shape, bounds and align cannot be given beside it")
+            return Raster.like(like)
         if bounds is None:
-            with self._locked():
-                box = self._engine().array("vertex_bounds")
-            if np.isnan(box).any():
+            bounds = self._box()
+            if bounds[0] != bounds[0]:
                 raise ValueError("there are no vertices: bounds must be given")
-            bounds = box.ravel().tolist()
+        else:
+            check_order(bounds, self._box)
         return raster_over(bounds, cell_size, shape, align)
+
+    def _box(self) -> Sequence[float]:
+        """xmin, xmax, ymin, ymax of the vertices in the plane; NaN if there are none."""
+        with self._locked():
+            box: Sequence[float] = self._engine().array("vertex_bounds").ravel().tolist()
+        return box
 
     def interpolate(
         self,
@@ -169,9 +187,10 @@ class Sampled(Made):
             the other neighbours get its weight. Of several points at one place the row of the one that represents the
             vertex is used (`point_status`). With duplicates='mean_z' a column that is the z of the points as
             they were given becomes that of `points`, the means among them; any other is not averaged.
-        at : (..., 2) array of real numbers or Raster, optional
+        at : (..., 2) array of real numbers, tuple (x, y), or Raster, optional
             Places in the plane of the triangulation, in the unit of the points, anywhere; at those with NaN there is no
-            value.
+            value. A tuple of two is always x and y, which broadcast. A warning tells if none of the places is on the
+            surface, unless `outside` is given.
         method : {'linear', 'natural', 'laplace', 'nearest'}, default 'linear'
             'linear': on each triangle the plane through its corners. 'natural': natural neighbours, after Sibson:
             smooth but at the points, by the area that the place would take of their Voronoi cells. 'laplace': the same
@@ -222,7 +241,7 @@ class Sampled(Made):
                 raise ValueError("method, outside and gradient are for values at places: give these as `at`")
             given = self._numbers_of(values, "biuf")
             return self._for_points(given, self._columns_of_z(given))
-        return self._at(values, at, method, outside, gradient, progress)
+        return self._at(values, at, method, outside, gradient, progress, True)
 
     def weights(self, at: Any, method: str = "linear") -> Weights:
         """The weights of the points in the value at each place: to interpolate many times at the same places, or to
@@ -230,7 +249,7 @@ class Sampled(Made):
 
         Parameters
         ----------
-        at : (..., 2) array of real numbers or Raster
+        at : (..., 2) array of real numbers, tuple (x, y), or Raster
             Places, as in `interpolate`.
         method : {'linear', 'natural', 'laplace', 'nearest'}, default 'linear'
             As there.
@@ -268,10 +287,11 @@ class Sampled(Made):
         at: Any,
         method: str,
         outside: Union[float, str],
-        gradient: bool,
-        progress: Optional[ProgressFunction],
+        gradient: bool = False,
+        progress: Optional[ProgressFunction] = None,
+        tells: bool = False,
     ) -> Any:
-        """See interpolate()."""
+        """See interpolate(). `tells`: of places that are all outside, where that is NaN."""
         chosen = method_of(method)
         if gradient and chosen != library.SAMPLE_LINEAR:
             raise ValueError("there are gradients with the method 'linear' only")
@@ -292,8 +312,29 @@ class Sampled(Made):
         made = found.values[0].view(dtype)
         if isFilled:
             made[found.mask == 0] = outside
+        elif tells and fills == library.OUTSIDE_NO_VALUE and made.size and np.isnan(made[0]).all():
+            self._tell_if_none(places, made)
         made = made.reshape(shape + given.shape[1:])
         return (made, _slopes(found.gradients[0], dtype).reshape(made.shape + (2,))) if gradient else made
+
+    def _tell_if_none(self, places: Union[Raster, np.ndarray], made: np.ndarray) -> None:
+        """Warns of places of which none is on the surface. `made`: the values there."""
+        if not np.isnan(made).all():
+            return
+        with self._locked():
+            if self._for_places().sample(places, []).mask.any():
+                return
+        if isinstance(places, Raster):
+            finite, count = np.array([(places.x[k], places.y[k]) for k in (0, -1)]), _product(places.shape)
+        else:
+            finite = places[np.isfinite(places).all(axis=1)]
+            count = len(finite)
+        low, high, box = finite.min(axis=0, initial=np.inf), finite.max(axis=0, initial=-np.inf), self._box()
+        said = say(SAY_PLACES, WORDS_OF_NUMPY, {
+            "sampled_places": count, "sampled_outside": count, "triangles": self._counts["triangles"],
+            "wanted": [low[0], high[0], low[1], high[1]],
+            "surface": box if box[0] == box[0] else "nowhere"})  # fmt: skip
+        warn_of(said.values())
 
     def _nearest_ids(self, places: np.ndarray) -> np.ndarray:
         """The id of the point nearest to each place, (k, 2); NaN where there is none."""

@@ -15,7 +15,7 @@ from ._input import CHOICES, DEFAULTS, Plane, Request, points_of
 from ._keywords import WANTED
 from ._made import frozen
 from ._results import Boxes, Location, Outline, Voronoi, chained
-from ._raster import real_numbers, unmasked
+from ._raster import real_numbers, unmasked, xy_of
 from ._sampling import Sampled
 from ._warnings import warn
 
@@ -398,7 +398,7 @@ class Triangulation(Sampled):
 
         Parameters
         ----------
-        places : (k, 2) array of real numbers
+        places : (k, 2) array of real numbers, or tuple (x, y)
             Places in the plane of the triangulation, in the unit of the points. Any values are allowed, NaN included.
 
         Returns
@@ -407,7 +407,7 @@ class Triangulation(Sampled):
             In removed triangles (by loops, alpha, ...), `kind` and `corners`
             are those of the whole triangulation, and `triangle` is -1.
         """
-        given = unmasked("places", places)
+        given = unmasked("places", xy_of(places))
         if given.ndim != 2 or given.shape[1] != 2:
             raise ValueError("places must be of shape (k, 2), not %s" % (given.shape,))
         places = real_numbers("places", given)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import sys
 import warnings
-from typing import Any, Mapping
+from typing import Any, Iterable, Mapping
 
 from ._interface import SAY_TRIANGULATION, WORDS_OF_NUMPY, say
 
@@ -18,14 +18,18 @@ class DelaunayWarning(UserWarning):
 
 
 def warn(job: Any, facts: Mapping[str, Any]) -> None:
-    """One DelaunayWarning for each message of a job that has run, and of `facts`, in the name of the first caller
-    outside of this package."""
-    for message in say(SAY_TRIANGULATION, WORDS_OF_NUMPY, facts, job).values():
+    """One DelaunayWarning for each message of a job that has run, and of `facts`."""
+    tell(say(SAY_TRIANGULATION, WORDS_OF_NUMPY, facts, job).values())
+
+
+def tell(messages: Iterable[str]) -> None:
+    """A DelaunayWarning of each, in the name of the first caller outside of this package."""
+    for message in messages:
         warnings.warn(message, DelaunayWarning, stacklevel=_depth())
 
 
 def _depth() -> int:
-    """The stacklevel of the first caller outside of this package, seen from warn(). By names of modules: files may have
+    """The stacklevel of the first caller outside of this package, seen from tell(). By names of modules: files may have
     no path, as where the working directory was deleted."""
     inside, depth = __name__.rpartition(".")[0], 1
     frame = sys._getframe(1)

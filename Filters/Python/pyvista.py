@@ -202,9 +202,10 @@ def to_raster(
         The size of a cell along x and y, in the unit of the points. As many cells as cover the bounds.
     shape : (int, int), optional
         Instead of `cell_size`: the number of rows and columns of cells that fill the bounds.
-    bounds : (float, float, float, float), optional
+    bounds : (float, float, float, float) or what has an area, optional
         xmin, xmax, ymin, ymax of the raster; if there are more numbers, as in the bounds of a mesh, the first four.
-        Default: those of the points.
+        Default: those of the points. Or a geometry, an adaptivehilbertdelaunay.Raster or rasterio's BoundingBox.
+        Numbers in the order of shapely and rasterio, xmin, ymin, xmax, ymax, are refused where the points tell.
     align : bool, default False
         Align the borders of cells with multiples of `cell_size`, like GDAL's -tap, so that the cells of several surveys
         coincide.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""delaunay: geometries as constraints, GeoJSON and arrays of coordinates. Those of other packages: test_gis.py."""
+"""delaunay: geometries as constraints, GeoJSON and arrays of coordinates. Those of other packages: with_gis.py."""
 
 import unittest
 

@@ -30,6 +30,7 @@ MADE = delaunay(SQUARE)
 WITH_SOURCE = delaunay(SQUARE, source_points=SQUARE[:2] + 0.5)
 MASKED = np.ma.masked_less(SQUARE, 2)
 PLACE = [[1, 1]]
+CELLS = Raster((0, 0), (1, 1), (2, 3))
 
 
 def plane_of_shape(xyz):
@@ -59,6 +60,11 @@ CALLS = {
     "origin infinite": lambda: Raster((np.inf, 0), (1, 1), (1, 1)),
     "origin of text": lambda: Raster(("a", 0), (1, 1), (1, 1)),
     "negative shape": lambda: Raster((0, 0), (1, 1), (-1, 1)),
+    "bounds of shapely": lambda: MADE.raster(cell_size=1, bounds=(2, 1, 3, 4)),
+    "bounds of nothing": lambda: MADE.raster(cell_size=1, bounds={"type": "Polygon", "coordinates": []}),
+    "like and more": lambda: MADE.raster(like=CELLS, cell_size=1),
+    "tile by a number": lambda: CELLS[1],
+    "tile with steps": lambda: CELLS[::2, :],
     "method": lambda: MADE.interpolate(VALUES, PLACE, "cubic"),
     "method that is none": lambda: MADE.interpolate(VALUES, PLACE, 1),
     "too few values": lambda: MADE.interpolate(VALUES[:5], PLACE),

@@ -78,6 +78,18 @@ class RasterTest(Case):
         self.assertEqual((made.dimensions, made.spacing[:2]), ((7, 5, 1), (3.0, 4.0)))
         self.assertEqual(made.origin, (10.5, 22.0, 0.0))
 
+    def test_the_order_of_bounds(self):
+        """That of shapely and rasterio is refused where the points tell; what has an area is taken."""
+        mesh = slope()
+        with self.assertRaisesRegex(ValueError, "xmin, ymin, xmax, ymax, as in shapely"):
+            mesh.adaptive.to_raster(2.5, bounds=(20, 10, 60, 50))
+        far = mesh.translate((0, 5e6, 0), inplace=False)
+        with self.assertRaisesRegex(ValueError, "xmin, ymin, xmax, ymax, as in shapely"):
+            far.adaptive.to_raster(5e4, bounds=(10, 5000010, 60, 5000050))
+        area = {"type": "MultiPoint", "coordinates": [(0, 20), (100, 60)]}
+        made = mesh.adaptive.to_raster(shape=(20, 50), bounds=area)
+        self.assertEqual(made.origin, (1.0, 21.0, 0.0))
+
     def test_methods(self):
         for method in ("linear", "natural", "laplace"):
             self.assert_heights(slope().adaptive.to_raster(5.0, method=method))
