@@ -63,8 +63,9 @@ def delaunay(
 
     Parameters
     ----------
-    points : (n, 2) or (n, 3) array of real numbers, n at most 2**28 - 2
-        x, y and optionally z, in one unit. float32 and float64 are not copied, whatever their strides, if the
+    points : (n, 2) or (n, 3) array of real numbers, or table, n at most 2**28 - 2
+        x, y and optionally z, in one unit; of a table (a data frame, a structured array) the columns of these names, if
+        it has x and y. float32 and float64 are not copied, whatever their strides, if the
         coordinates of a point are contiguous; other types are converted to float64. Points whose x or y is NaN or
         infinite are rejected, and a warning counts them. Do not change arrays while the triangulation is in use.
     constraints : geometry, (k, 2) or (k, 3) array of real numbers, or sequence of these, optional

@@ -12,6 +12,7 @@ from . import _library as library
 from ._held import anchor
 from ._keywords import KEYWORDS
 from ._names import value_of
+from ._raster import has_mask, table_of
 
 Plane = Union[str, Any, Callable[[np.ndarray], Optional[np.ndarray]]]
 Chains = Tuple[np.ndarray, Optional[np.ndarray]]  # ids, and where each chain begins if they are one list
@@ -106,14 +107,17 @@ _FLOATS = frozenset((np.dtype(np.float32), np.dtype(np.float64)))
 
 def points_of(name: str, given: Any) -> np.ndarray:
     """(n, 2 or 3) float32 or float64, the given array itself if it is that: any strides, but in the machine's
-    byte order and aligned."""
-    if isinstance(given, np.ma.MaskedArray):
-        raise TypeError("%s are a masked array, whose mask would be lost: give it as `skip`" % name)
-    points = np.asarray(given)
+    byte order and aligned. Of a table the columns x, y and z."""
+    if has_mask(given):
+        raise TypeError("%s are a masked array, whose mask would be lost: give %s.data, and "
+                        "skip=%s.mask.any(axis=1)" % (name, name, name))  # fmt: skip
+    points = np.asarray(table_of(given, "xyz"))
     if points.size == 0 and points.ndim == 1:
         points = points.reshape(0, 2)
     if points.ndim != 2 or points.shape[1] not in (2, 3):
         hint = ": take its transpose, .T" if points.ndim == 2 and len(points) in (2, 3) else ""
+        hint = ": name its columns x, y and z" if hasattr(given, "columns") else hint
+        hint = ": take .get_coordinates(include_z=True)" if hasattr(given, "__geo_interface__") else hint
         raise ValueError("%s must be of shape (n, 2) or (n, 3), not %s%s" % (name, points.shape, hint))
     if points.dtype.kind not in "biuf" and points.size:
         raise TypeError("%s must be real numbers, not of type %s" % (name, points.dtype))
@@ -123,7 +127,7 @@ def points_of(name: str, given: Any) -> np.ndarray:
 
 def skip_of(given: Any, count: int) -> np.ndarray:
     """(count,) uint8, not 0 for points to skip."""
-    if isinstance(given, np.ma.MaskedArray):
+    if has_mask(given):
         raise TypeError("skip is a masked array, whose mask would be lost")
     marks = np.asarray(given)
     if marks.shape != (count,):
@@ -146,7 +150,7 @@ def _no_ids(name: str, wanted: str) -> ValueError:
 
 def _ids(name: str, given: Any, wanted: str = _CHAINS) -> np.ndarray:
     """int32 or int64 of any shape."""
-    if isinstance(given, np.ma.MaskedArray):
+    if has_mask(given):
         raise TypeError("%s: a masked array, whose mask would be lost" % name)
     try:
         ids = np.asarray(given)

@@ -8,7 +8,7 @@ from typing import Any, Dict, Tuple
 import numpy as np
 
 from ._arrays import delaunay
-from ._raster import real_numbers, unmasked
+from ._raster import real_numbers, table_of, unmasked
 from ._sampling import check_outside
 from ._triangulation import Triangulation
 
@@ -35,7 +35,7 @@ class _Interpolator:
         """A copy, rescaled on request to a square of side 1."""
         if isinstance(points, tuple):
             points = np.stack(np.broadcast_arrays(*(unmasked("points", one) for one in points)), axis=-1)
-        given = unmasked("points", points)
+        given = unmasked("points", table_of(points, "xy"))
         if given.ndim != 2 or given.shape[1] != 2:
             raise ValueError("points must be of shape (n, 2), not %s" % (given.shape,))
         if given.dtype.kind not in "biuf" and given.size:
@@ -61,7 +61,7 @@ class _Interpolator:
         if len(args) == 2:
             places = np.stack(np.broadcast_arrays(*(real_numbers("places", one) for one in args)), axis=-1)
         elif len(args) == 1:
-            places = real_numbers("places", args[0])
+            places = real_numbers("places", table_of(args[0], "xy"))
             places = places.reshape(0, 2) if places.shape == (0,) else places
         else:
             raise TypeError("places are x and y, or one array of shape (..., 2), not %d arguments" % len(args))
@@ -90,7 +90,7 @@ class LinearInterpolator(_Interpolator):
 
     Parameters
     ----------
-    points : (n, 2) array of real numbers, tuple (x, y), or Triangulation
+    points : (n, 2) array of real numbers, tuple (x, y), table with columns x and y, or Triangulation
         Copied. Of several at one place the first one's value counts.
     values : (n, ...) array of real or complex numbers
         One row for each point; NaN may be among them: then all of a triangle that has one is NaN.

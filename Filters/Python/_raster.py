@@ -153,11 +153,28 @@ class Raster:
         return x - dx / 2, dx, 0.0, y - dy / 2, 0.0, dy
 
 
-def xy_of(given: Any) -> Any:
-    """Places; x and y where they are a tuple of two, which are broadcast together."""
-    if not (isinstance(given, tuple) and len(given) == 2):
+def table_of(given: Any, names: str) -> Any:
+    """Of a table (a data frame, a structured array) that has columns x and y: an array of its columns with these names,
+    large or small, and others as they are."""
+    columns = getattr(given, "columns", None)
+    if columns is None:
+        columns = getattr(getattr(given, "dtype", None), "names", None)
+    found = {} if columns is None else {str(name).lower(): name for name in columns}
+    if not {"x", "y"} <= set(found):
         return given
+    return np.stack([unmasked("column " + name, given[found[name]]) for name in names if name in found], axis=-1)
+
+
+def xy_of(given: Any) -> Any:
+    """Places; x and y where they are a tuple of two, which are broadcast together, or columns."""
+    if not (isinstance(given, tuple) and len(given) == 2):
+        return table_of(given, "xy")
     return np.stack(np.broadcast_arrays(*(unmasked("places", one) for one in given)), axis=-1)
+
+
+def has_mask(given: Any) -> bool:
+    """Is it a masked array of which something is masked?"""
+    return isinstance(given, np.ma.MaskedArray) and bool(np.ma.is_masked(given))
 
 
 def unmasked(name: str, given: Any) -> np.ndarray:
@@ -165,7 +182,7 @@ def unmasked(name: str, given: Any) -> np.ndarray:
     if type(given) is np.ndarray:
         return given
     parts = given if isinstance(given, (list, tuple)) else (given,)
-    if any(isinstance(part, np.ma.MaskedArray) and np.ma.is_masked(part) for part in parts):
+    if any(map(has_mask, parts)):
         raise TypeError("%s are a masked array, whose mask would be lost: use NaN for missing numbers" % name)
     return np.asarray(given)
 

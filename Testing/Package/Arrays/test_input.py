@@ -8,7 +8,7 @@ import unittest
 import warnings
 
 import numpy as np
-from adaptivehilbertdelaunay import delaunay
+from adaptivehilbertdelaunay import LinearInterpolator, delaunay
 from arraysupport import SQUARE, cloud
 
 
@@ -122,6 +122,35 @@ class PointsTest(unittest.TestCase):
             one.array[-1] = value
             self.assertRaises(RuntimeError, lambda made=made: made.neighbors)
 
+    def test_masked_arrays_with_nothing_masked(self):
+        points = cloud(47, 100, 3)
+        chains, marks = np.arange(4), np.arange(100) % 7 == 6
+        wanted = delaunay(points, lines=chains, skip=marks, source_points=points[:4])
+        unmasked = np.ma.array(marks, mask=np.zeros(100, bool))
+        made = delaunay(np.ma.array(points), lines=np.ma.array(chains), skip=unmasked,
+                        source_points=np.ma.masked_equal(points[:4], 7))  # fmt: skip
+        np.testing.assert_array_equal(made.triangles, wanted.triangles)
+        np.testing.assert_array_equal(made.points, wanted.points)
+        made = delaunay(np.ma.array(points))
+        self.assertEqual(made.points.ctypes.data, points.ctypes.data)
+        masked = np.ma.masked_less(points, 0.1)
+        made = delaunay(masked.data, skip=masked.mask.any(axis=1))  # as the refusal says
+        self.assertEqual(made.counts["skipped"], np.count_nonzero((points < 0.1).any(axis=1)))
+
+    def test_columns_by_their_names(self):
+        """Of structured arrays; of data frames: test_gis.py."""
+        points = cloud(48, 60, 3)
+        table = np.zeros(60, [("z", "f4"), ("y", "f8"), ("class", "i2"), ("x", "f8")])
+        for k, name in enumerate("xyz"):
+            table[name] = points[:, k].astype(np.float32)
+        made = delaunay(table)
+        np.testing.assert_array_equal(made.points, points.astype(np.float32))
+        np.testing.assert_array_equal(delaunay(table[["y", "x"]]).points, points[:, :2].astype(np.float32))
+        places = table[["y", "x"]][:5]
+        np.testing.assert_array_equal(made.interpolate(table["z"], places), table["z"][:5])
+        np.testing.assert_array_equal(made.locate(places).kind, made.locate(made.points[:5, :2]).kind)
+        np.testing.assert_array_equal(LinearInterpolator(table[["y", "x"]], table["z"])(places), table["z"][:5])
+
     def test_chains_of_any_kind(self):
         """Of any iterables, of different lengths too."""
         chains = [[0, 1], [2, 3, 4], [5, 1, 0]]
@@ -147,7 +176,7 @@ class RefusedTest(unittest.TestCase):
         (TypeError, [["1", "2"]], "points .* real numbers"),
         (TypeError, [[None, Spoiled()]], "points .* object"),
         (TypeError, np.zeros((3, 2), "M8[s]"), "points .* datetime64"),
-        (TypeError, np.ma.masked_invalid([[0, np.nan]]), "points are a masked array.* `skip`"),
+        (TypeError, np.ma.masked_invalid([[0, np.nan]]), r"give points.data, and skip=points.mask.any\(axis=1\)"),
     )
     KEYWORDS = (
         (ValueError, "segments", [(0, 6)], "segments\\[0\\] names point 6, but there are 6"),
@@ -171,7 +200,7 @@ class RefusedTest(unittest.TestCase):
         (ValueError, "skip", [True], "skip .* 6 points, not the shape \\(1,\\)"),
         (TypeError, "skip", np.zeros(6, np.int64), "skip .* int64"),
         (TypeError, "skip", [0.5] * 6, "skip .* float64"),
-        (TypeError, "skip", np.ma.masked_equal(np.zeros(6, bool), True), "skip"),
+        (TypeError, "skip", np.ma.masked_equal(np.zeros(6, bool), False), "skip"),
         (ValueError, "crossings", "both", "crossings .* 'leave_out', 'split', not 'both'"),
         (TypeError, "crossings", 1, "crossings"),
         (ValueError, "fill_rule", "", "fill_rule"),

@@ -100,7 +100,7 @@ CALLS = {
     "values without those of the source": lambda: WITH_SOURCE.interpolate(VALUES, PLACE),
     "values of an interpolator with a source": lambda: LinearInterpolator(WITH_SOURCE, VALUES),
     "constraints of both kinds": lambda: delaunay(SQUARE, constraints=SQUARE[:3], loops=[0, 1, 2]),
-    "a masked skip": lambda: delaunay(SQUARE, skip=np.ma.masked_equal(np.zeros(6, bool), True)),
+    "a masked skip": lambda: delaunay(SQUARE, skip=np.ma.masked_equal(np.zeros(6, bool), False)),
 }
 for k, (_, given, _) in enumerate(test_geometry.WRONG):
     CALLS["constraints %d" % k] = lambda given=given: delaunay(SQUARE, constraints=given)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The packages by which others bring geometries and rasters: shapely, geopandas, rasterio, GDAL, xarray. Debian 12 has
-shapely 1.8, PyPI 2. Skipped (exit code 77) where one of them is missing, which is named.
+"""Packages by which others bring geometries, tables and rasters: shapely, pandas, geopandas, rasterio, GDAL, xarray.
+Debian 12 has shapely 1.8, PyPI 2. Skipped (exit code 77) where one of them is missing, which is named.
 """
 
 import contextlib
@@ -13,13 +13,13 @@ import unittest.mock
 import warnings
 
 import numpy as np
-from adaptivehilbertdelaunay import Raster, delaunay
+from adaptivehilbertdelaunay import LinearInterpolator, Raster, delaunay
 from arraysupport import KeywordTest, cloud
 from test_geometry import area
 
 import literals  # (arraysupport has put its folder on the path)
 
-NEEDED = ("geopandas", "osgeo", "rasterio", "shapely", "xarray")
+NEEDED = ("geopandas", "osgeo", "pandas", "rasterio", "shapely", "xarray")
 POINTS = 10 * cloud(62, 500)
 
 
@@ -62,6 +62,32 @@ class GeometryTest(KeywordTest):
         table = geopandas.GeoDataFrame({"name": list("abcd")}, geometry=shapes)
         for given in (table, table.geometry, table.geometry.values, table.geometry.tolist()):
             self.assertAlmostEqual(area(delaunay(POINTS, constraints=given)), 9 + 4, places=6)
+
+
+class TableTest(KeywordTest):
+    def test_data_frames(self):
+        """Columns by their names, in any order, or all of a frame of two or three."""
+        import pandas
+
+        table = pandas.DataFrame({"Z": POINTS.sum(axis=1), "y": POINTS[:, 1], "name": "a", "x": POINTS[:, 0]})
+        made = delaunay(table)
+        np.testing.assert_array_equal(made.points, np.c_[POINTS, POINTS.sum(axis=1)])
+        places = pandas.DataFrame({"y": [5.0, 6], "x": [4.0, 4], "z": [0, 0]})
+        np.testing.assert_allclose(made.interpolate(table["Z"], places), [9, 10])
+        np.testing.assert_allclose(LinearInterpolator(table, table["Z"])(places), [9, 10])
+        lonlat = pandas.DataFrame(POINTS, columns=["lon", "lat"])
+        np.testing.assert_array_equal(delaunay(lonlat).points, POINTS)
+        with self.assertRaisesRegex(ValueError, r"not \(500, 4\): name its columns x, y and z"):
+            delaunay(table.rename(columns={"x": "east"}))
+
+    def test_geopandas(self):
+        import geopandas
+
+        points = geopandas.GeoDataFrame(geometry=geopandas.points_from_xy(*POINTS.T))
+        with self.assertRaisesRegex(ValueError, r"take .get_coordinates\("):
+            delaunay(points)
+        if hasattr(points, "get_coordinates"):  # not in Debian 12
+            np.testing.assert_array_equal(delaunay(points.get_coordinates()).points, POINTS)
 
 
 class RasterTest(KeywordTest):
