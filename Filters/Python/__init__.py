@@ -34,6 +34,13 @@ if TYPE_CHECKING:
     from ._raster import Raster as Raster
     from ._sampling import Weights as Weights
 
+    __version__: str
+    vtkAdaptiveHilbertAlgorithm: Any
+    vtkAdaptiveHilbertDelaunay2D: Any
+    vtkAdaptiveHilbertInterpolation2D: Any
+    vtkAdaptiveHilbertInterpolationAlgorithm: Any
+    vtkPlanarPointSource: Any
+
 # Modules are loaded when one of their names is first used: arrays need no VTK, and VTK no arrays.
 _ARRAYS = ("Boxes", "DelaunayWarning", "Kind", "Location", "Outline", "Triangulation", "Voronoi", "delaunay",
            "release_memory")  # fmt: skip
@@ -41,6 +48,7 @@ _MODULES = {
     **dict.fromkeys(_ARRAYS, "._arrays"),
     **dict.fromkeys(("LinearInterpolator", "NaturalNeighborInterpolator", "NearestInterpolator"), "._interpolators"),
     "Raster": "._raster",
+    "__version__": "._interface",
     "Weights": "._sampling",
 }
 _CLASSES = (
@@ -57,7 +65,7 @@ __all__ = [
 ]  # fmt: skip
 
 
-def __getattr__(name: str) -> Any:
+def _get(name: str) -> Any:
     if name not in _CLASSES and name not in _MODULES:
         raise AttributeError("module %r has no attribute %r" % (__name__, name))
     try:
@@ -68,6 +76,10 @@ def __getattr__(name: str) -> Any:
         raise ImportError("adaptivehilbertdelaunay: %s cannot be loaded: %s" % (name, error)) from error
     globals()[name] = found
     return found
+
+
+if not TYPE_CHECKING:  # for which any name would be one of the package
+    __getattr__ = _get
 
 
 def __dir__() -> List[str]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""python -m adaptivehilbertdelaunay --paraview-plugin: where the plugin for ParaView is, for Manage Plugins."""
+"""python -m adaptivehilbertdelaunay: --version, and --paraview-plugin, where the plugin for ParaView is."""
 
 import argparse
 import os
@@ -12,11 +12,17 @@ PLUGIN = os.path.join(os.path.abspath(_folders[-1]), "AdaptiveHilbertDelaunayPlu
 
 def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m adaptivehilbertdelaunay")
-    parser.add_argument(
-        "--paraview-plugin", action="store_true", required=True,
+    what = parser.add_mutually_exclusive_group(required=True)
+    what.add_argument("--version", action="store_true", help="print the version, and where the library is")
+    what.add_argument(
+        "--paraview-plugin", action="store_true",
         help="print the path of the plugin in Python, to be loaded by ParaView's Manage Plugins",
     )  # fmt: skip
-    parser.parse_args()
+    if parser.parse_args().version:
+        from ._interface import __version__, library_path  # which loads NumPy and the library
+
+        print("adaptivehilbertdelaunay %s (%s)" % (__version__, library_path()))
+        return 0
     if not os.path.isfile(PLUGIN):
         print("there is no plugin in this package: it was built without", file=sys.stderr)
         return 1

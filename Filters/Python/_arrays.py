@@ -4,15 +4,17 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Optional, Sequence, Union
+from typing import Any, Callable, Literal, Optional, Sequence, Union
 
 import numpy as np
 
 from ._input import Plane
+from ._keywords import Wanted
 from ._library import release_memory
 from ._names import by_any_name
 from ._results import Boxes, Kind, Location, Outline, Voronoi
-from ._triangulation import Triangulation, triangulate
+from ._triangulate import triangulate
+from ._triangulation import Triangulation
 from ._warnings import DelaunayWarning
 
 __all__ = [
@@ -20,7 +22,7 @@ __all__ = [
 ]  # fmt: skip
 
 
-@by_any_name()
+@by_any_name("takes the points alone without a name: of x and y make numpy.column_stack([x, y])")
 def delaunay(
     points: Any,
     *,
@@ -31,28 +33,28 @@ def delaunay(
     source_points: Any = None,
     skip: Any = None,
     plane: Plane = "xy",
-    source_heights: str = "own",
+    source_heights: Literal["own", "surface"] = "own",
     closed_lines_are_loops: bool = False,
-    fill_rule: str = "even_odd",
-    crossings: str = "leave_out",
+    fill_rule: Literal["orientation", "even_odd"] = "even_odd",
+    crossings: Literal["leave_out", "split"] = "leave_out",
     maximum_edge_length: float = 0.0,
     alpha: float = 0.0,
-    rim: str = "automatic",
+    rim: Literal["automatic", "convex_hull", "trimmed"] = "automatic",
     tolerance: float = 0.0,
-    duplicates: str = "first",
-    voronoi_clip: str = "hull",
-    insertion_order: str = "adaptive_hilbert",
+    duplicates: Literal["first", "lowest_z", "highest_z", "mean_z"] = "first",
+    voronoi_clip: Literal["hull", "bounds"] = "hull",
+    insertion_order: Literal["adaptive_hilbert", "multi_grid", "regular_grid", "as_given"] = "adaptive_hilbert",
     nmax: int = 50,
-    control_points: str = "every_level",
+    control_points: Literal["off", "single_level", "every_level"] = "every_level",
     gene_rotation: bool = True,
     count_work: bool = False,
     insertion_limit: int = 0,
     offset: float = 1.0,
     bounding: bool = False,
     threads: int = 0,
-    memory_limit: int = 0,
+    memory_limit: Union[int, str] = 0,
     id_dtype: Any = np.int32,
-    want: Union[str, Sequence[str]] = (),
+    want: Union[Wanted, Sequence[Wanted]] = (),
     progress: Optional[Callable[[str, float], Any]] = None,
 ) -> Triangulation:
     """The Delaunay triangulation of points in the plane: exact, and the same to the byte on any machine.
@@ -141,9 +143,12 @@ def delaunay(
     bounding : bool, default False
         Add eight points on a circle around all others, `offset` diagonals of their bounding box away. In 'xy' only.
     threads : int from 0 to 1024, default 0
-        Number of threads; 0: one for each processor that the process may run on. The result is the same.
-    memory_limit : int, 0 or more, default 0
-        The most bytes to allocate; 0: what the process can get without swapping.
+        Number of threads; 0: as the environment said at first use (ADAPTIVEHILBERTDELAUNAY_THREADS, else
+        VTK_SMP_MAX_THREADS, else OMP_NUM_THREADS), at most and by default one for each processor that the process may
+        run on. The result is the same.
+    memory_limit : int, 0 or more, or str, default 0
+        The most memory to allocate, in bytes or as a text such as '2 GB' (KB, MB, GB of 1000, KiB, MiB, GiB of 1024);
+        0: what the process can get without swapping.
     id_dtype : numpy.int32 or numpy.int64, default numpy.int32
         The type of all ids in the result. 32 bits are always enough.
     want : sequence of str, optional

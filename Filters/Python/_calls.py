@@ -14,10 +14,13 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, List, NamedTuple, Optiona
 
 import numpy as np
 
-try:
-    import _signal as signal  # without the conversions to enumerations, which take ten times as long
-except ImportError:
-    import signal  # type: ignore[no-redef]
+if TYPE_CHECKING:
+    import signal
+else:
+    try:
+        import _signal as signal  # without the conversions to enumerations, which take ten times as long
+    except ImportError:
+        import signal
 
 from ._interface import BAD_ARRAY, BadInput, Progress, Projection
 
@@ -33,7 +36,7 @@ class Call(NamedTuple):
     arrays: List[Any]  # owners of the memory that the library reads and writes meanwhile
 
 
-AT_WORK: Dict[int, Call] = {}  # by the address of the library's job, which callbacks are given
+AT_WORK: Dict[Optional[int], Call] = {}  # by the address of the library's job, which callbacks are given
 
 
 def _on_progress(number: int, phase: int, fraction: float) -> int:

@@ -83,7 +83,7 @@ class _Reader:
                 for k, member in enumerate(members):
                     self.take("%s[%d]" % (where, k), member)
             return
-        readers: Dict[Any, Tuple[Callable[[str, Any], None], int]] = {
+        readers: Dict[Any, Tuple[Callable[[str, Any], Any], int]] = {
             "Point": (lambda name, at: self._add(_positions(name, [at])), 0),
             "MultiPoint": (lambda name, at: self._add(_positions(name, at)), 0),
             "LineString": (self._take_line, 0),
@@ -97,7 +97,7 @@ class _Reader:
         read, depth = readers[kind]
         self._each(read, "%s, a %s" % (where, kind), geometry.get("coordinates"), depth)
 
-    def _each(self, read: Callable[[str, Any], None], name: str, coordinates: Any, depth: int) -> None:
+    def _each(self, read: Callable[[str, Any], Any], name: str, coordinates: Any, depth: int) -> None:
         """Reads what lies so deep in nested sequences; empty ones are nothing."""
         if coordinates is None or len(coordinates) == 0:
             return

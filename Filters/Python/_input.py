@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import operator
-from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple, Union
+import re
+from typing import Any, Callable, Dict, Literal, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -14,7 +15,10 @@ from ._keywords import KEYWORDS
 from ._names import value_of
 from ._raster import has_mask, table_of
 
-Plane = Union[str, Any, Callable[[np.ndarray], Optional[np.ndarray]]]
+Plane = Union[
+    Literal["xy", "automatic", "best_fit"], np.ndarray, Sequence[Sequence[float]],
+    Callable[[np.ndarray], Optional[np.ndarray]],
+]  # fmt: skip
 Chains = Tuple[np.ndarray, Optional[np.ndarray]]  # ids, and where each chain begins if they are one list
 Fingerprint = Dict[str, Tuple[int, int]]  # of each array that the caller can change
 
@@ -46,10 +50,22 @@ def _flag(name: str, value: Any) -> int:
     return int(value)
 
 
+_BASES = (("B", 1000), ("IB", 1024))
+_UNITS = {"": 1, **{unit + end: base**k for k, unit in enumerate("KMGT", 1) for end, base in _BASES}}
+
+
+def bytes_of(value: Any) -> Any:
+    """The number of a text such as '2 GB' or '1.5 GiB'; anything else as it is."""
+    found = re.fullmatch(r"\s*(\d+\.?\d*)\s*([A-Za-z]*)\s*", value) if isinstance(value, str) else None
+    unit = None if found is None else _UNITS.get(found[2].upper())
+    return value if found is None or unit is None else int(float(found[1]) * unit)
+
+
 def _whole(name: str, value: Any) -> int:
     least, most = KEYWORDS[name].least, KEYWORDS[name].most
-    of = " of bytes (2 GB are 2_000_000_000)" if name == "memory_limit" else ""
+    of = " of bytes, or a text such as '2 GB'," if name == "memory_limit" else ""
     wanted = "a whole number%s from %d to %d" % (of, least, most)
+    value = bytes_of(value) if of else value
     if isinstance(value, (bool, np.bool_)):
         raise TypeError(_refused(name, value, wanted))
     try:
@@ -231,7 +247,7 @@ _PLANES = "%r, %r, %r, a (4, 4) matrix or a function" % PLANES
 def chosen_plane(points: np.ndarray, skip: Optional[np.ndarray], threads: int) -> int:
     """Of plane='automatic': PLANE_BEST_FIT for points that stand like a wall, else PLANE_XY."""
     job = library.Job()
-    job.set(threads=threads)
+    job.set(threads=threads or library.threads_told())
     job.set_array("points", points)
     if skip is not None:
         job.set_array("skip", skip)
@@ -335,11 +351,11 @@ class Request:
                 continue
             chains = segments_of(name, value) if name == "segments" else chains_of(name, value)
             check_ids(name, chains, count, whose)
-            given = value if name == "segments" or isinstance(value, np.ndarray) else ()  # else chains_of() copied it
+            own = value if name == "segments" or isinstance(value, np.ndarray) else ()  # else chains_of() copied it
             if name == "loops":
-                self._set_chains("loop", chains, given)
+                self._set_chains("loop", chains, own)
             elif lines is None:
-                lines, ofLines = chains, given
+                lines, ofLines = chains, own
             else:
                 lines, ofLines = appended(lines, chains), ()
         if lines is not None:
@@ -359,7 +375,8 @@ class Request:
                 raise ValueError(_refused("plane", plane, _PLANES))
             self.settings["plane"] = library.PLANE_XY if plane == "xy" else library.PLANE_BEST_FIT
             if plane == "automatic":
-                self.settings["plane"] = chosen_plane(self.points, self.arrays.get("skip"), self.settings["threads"])
+                threads = int(self.settings["threads"])
+                self.settings["plane"] = chosen_plane(self.points, self.arrays.get("skip"), threads)
                 self.plane_was_chosen = self.settings["plane"] == library.PLANE_BEST_FIT
         elif callable(plane):
             self.settings["plane"] = library.PLANE_CALLBACK
@@ -380,6 +397,9 @@ class Request:
         job = library.take_job()
         usual = library.defaults()
         job.set(**{name: value for name, value in self.settings.items() if value != usual[name]})
+        told = library.threads_told()
+        if told and not self.settings["threads"]:
+            job.set(threads=told)
         job.set(**{"want_" + name: 1 for name in wanted})
         for name, array in self.arrays.items():
             job.set_array(name, array, self._laid_out(name))

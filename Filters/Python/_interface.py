@@ -285,9 +285,32 @@ def version() -> str:
     return str(C.ahd_version().decode())
 
 
+__version__ = version()
+
+
 def processors() -> int:
     """Processors that this process may run on; at least 1."""
     return int(C.ahd_processors())
+
+
+#: Of these environment variables the first that has a number says how many threads there are where `threads` is 0.
+THREADS_VARIABLES = ("ADAPTIVEHILBERTDELAUNAY_THREADS", "VTK_SMP_MAX_THREADS", "OMP_NUM_THREADS")
+
+
+def threads_in(environment: Mapping[str, str]) -> int:
+    """What the first of the variables with a number says; 0: none has one."""
+    # OpenMP's may be a list
+    texts = (environment.get(name, "").partition(",")[0].strip() for name in THREADS_VARIABLES)
+    return next((int(text) for text in texts if text.isdecimal()), 0)
+
+
+_told = threads_in(os.environ)
+
+
+def threads_told() -> int:
+    """What the environment said when this was loaded, but not more than processors(); 0: nothing, so one for each of
+    these."""
+    return min(_told, processors(), 1024) if _told else 0
 
 
 def available_memory() -> int:

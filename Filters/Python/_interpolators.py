@@ -9,14 +9,14 @@ import numpy as np
 
 from ._arrays import delaunay
 from ._raster import real_numbers, table_of, unmasked
-from ._sampling import check_outside
+from ._sampling import Method, check_outside
 from ._triangulation import Triangulation
 
 
 class _Interpolator:
     """Points, values, and the triangulation of the points."""
 
-    _method = ""
+    _method: Method
 
     def _start(self, points: Any, values: Any, rescale: bool, threads: int) -> None:
         isMade = isinstance(points, Triangulation)
@@ -124,7 +124,7 @@ class LinearInterpolator(_Interpolator):
     [[1.0, 2.0, 3.0], [2.0, 3.0, 4.0]]
     """
 
-    _method = "linear"
+    _method: Method = "linear"
 
     def __init__(
         self, points: Any, values: Any, fill_value: Any = np.nan, rescale: bool = False, *, threads: int = 0
@@ -155,7 +155,7 @@ class NaturalNeighborInterpolator(LinearInterpolator):
     array([ 1. ,  0.5, -1. ])
     """
 
-    _method = "natural"
+    _method: Method = "natural"
 
 
 class NearestInterpolator(_Interpolator):
@@ -183,7 +183,7 @@ class NearestInterpolator(_Interpolator):
     ['west', 'east', 'north']
     """
 
-    _method = "nearest"
+    _method: Method = "nearest"
 
     def __init__(self, points: Any, values: Any, rescale: bool = False, *, threads: int = 0) -> None:
         self._start(points, values, rescale, threads)

@@ -3,7 +3,7 @@
 """The keywords that are one number or word each, and results."""
 
 import math
-from typing import Any, NamedTuple, Tuple
+from typing import Any, Literal, NamedTuple, Tuple, get_args
 
 
 class Keyword(NamedTuple):
@@ -58,7 +58,7 @@ MESH_KEYWORDS = {
     "memory_limit": Keyword("MemoryLimit", 0, least=0, most=4611686018427387904),
 }
 #: What `delaunay` can compute at once, attributes of its result.
-WANTED = (
+Wanted = Literal[
     "point_status",
     "constraint_edges",
     "regions",
@@ -67,7 +67,8 @@ WANTED = (
     "order",
     "boxes",
     "insertion_ranks",
-)
+]
+WANTED: Tuple[str, ...] = get_args(Wanted)
 #: The types of arrays of results that are no ids.
 ARRAY_DTYPES = {
     "constraint_edges": "uint8",

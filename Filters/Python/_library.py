@@ -319,7 +319,7 @@ class Job:
         large as the counts drawn_points and drawn_cells say; ids are int32 or int64."""
         arrays = (xyz, ranks, ids, levels, counts)
         sizes = (3 * self.count("drawn_points"), *2 * (self.count("drawn_points"),), *2 * (self.count("drawn_cells"),))
-        types = (np.float64, ids.dtype, ids.dtype, np.int32, ids.dtype)
+        types: Tuple[Any, ...] = (np.float64, ids.dtype, ids.dtype, np.int32, ids.dtype)
         for name, array, size, dtype in zip(("xyz", "ranks", "ids", "levels", "counts"), arrays, sizes, types):
             if not array.flags.c_contiguous or array.dtype != dtype or array.size != size:
                 raise BadInput("%s: must be %d numbers of type %s" % (name, size, np.dtype(dtype).str), BAD_ARRAY)

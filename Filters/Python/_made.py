@@ -55,7 +55,7 @@ class Made:
         self._cached = {}
         self._fingerprint = {}
 
-    def _locked(self) -> threading.RLock:  # type: ignore[valid-type]
+    def _locked(self) -> Any:
         """Enters the lock: the job and the results are for one thread at a time."""
         if self._forks != _forks:
             with _renewing:

@@ -5,20 +5,21 @@ that are one number or word each, but for `memory_limit`."""
 import importlib
 import operator
 import re
+from typing import Any
 
 import numpy
 import pyvista
 
 from . import _raster, _vtk
 from ._geometry import constraints_of
-from ._input import PLANES, chosen_plane, real_of
-from ._interface import HEIGHTS_FROM_SURFACE, PLANE_BEST_FIT, SAY_TRIANGULATION, WORDS_OF_NUMPY, say
+from ._input import PLANES, bytes_of, chosen_plane, real_of
+from ._interface import HEIGHTS_FROM_SURFACE, PLANE_BEST_FIT, SAY_TRIANGULATION, WORDS_OF_NUMPY, say, threads_told
 from ._keywords import MESH_KEYWORDS
 from ._names import value_of
 from ._sampling import METHODS, OUTSIDE
 from ._vtk.arrays import coordinates, ghost_marks
 from ._vtk.blocks import Blocks
-from ._vtk.execution import SKIPPED
+from ._vtk.execution import SKIPPED, threads_to_use
 from ._vtk.table import ARRAY_KEYWORDS
 from ._warnings import tell
 
@@ -109,13 +110,19 @@ def _make_filter(mesh, plane, memory_limit, settings):
 def _whole(value, argument, most):
     """A whole number from 0 on. TypeError, ValueError."""
     try:
-        number = operator.index(value)
+        number = operator.index(bytes_of(value) if argument == "memory_limit" else value)
     except TypeError:
-        wanted = "number of bytes" if argument == "memory_limit" else "number"
+        wanted = "number of bytes, or a text such as '2 GB'" if argument == "memory_limit" else "number"
         raise TypeError("%s must be a whole %s, not %r" % (argument, wanted, value)) from None
     if not 0 <= number <= most:
         raise ValueError("%s must be from 0 to %d, not %r" % (argument, most, value))
     return number
+
+
+def _threads(value):
+    """As the environment says where it is 0, but not more than VTK was told."""
+    number, told = _whole(value, "threads", MESH_KEYWORDS["threads"].most), threads_told()
+    return number or (told and min(told, threads_to_use(_vtk.Backend(_vtk.package_in_use()), 0)))
 
 
 def _settings_of(given):
@@ -125,7 +132,7 @@ def _settings_of(given):
         row = MESH_KEYWORDS[name]
         made[row.setting] = (
             _number_of(value, name) if row.words else int(bool(value)) if row.least is None
-            else _whole(value, name, row.most) if isinstance(row.least, int)
+            else _threads(value) if name == "threads" else _whole(value, name, row.most) if isinstance(row.least, int)
             else real_of(name, value, (row.least, row.most)))
     return made
 
@@ -203,7 +210,8 @@ def _into(mesh, made, inplace):
     return mesh
 
 
-def delaunay_2d(mesh, inplace, edge_source, progress_bar, constraints, plane, memory_limit, arrays, **settings):
+def delaunay_2d(mesh: Any, inplace: Any, edge_source: Any, progress_bar: Any, constraints: Any, plane: Any,
+                memory_limit: Any, arrays: Any, **settings: Any) -> pyvista.PolyData:
     if inplace and not isinstance(mesh, pyvista.PolyData):
         raise TypeError("inplace: a pyvista.PolyData can be overwritten, not %s" % type(mesh).__name__)
     algorithm, messages = _make_filter(mesh, plane, memory_limit, settings)
@@ -213,7 +221,7 @@ def delaunay_2d(mesh, inplace, edge_source, progress_bar, constraints, plane, me
     return _into(mesh, _taken(algorithm.GetOutput()), inplace)
 
 
-def voronoi_2d(mesh, plane, memory_limit, progress_bar, **settings):
+def voronoi_2d(mesh: Any, plane: Any, memory_limit: Any, progress_bar: Any, **settings: Any) -> pyvista.PolyData:
     algorithm, messages = _make_filter(mesh, plane, memory_limit, settings)
     algorithm.GenerateVoronoiOn()
     _run(algorithm, messages, progress_bar, "Computing Voronoi Diagram")
@@ -262,7 +270,7 @@ def _raster_settings(mesh, plane, cell_size, shape, bounds, align):
     return made
 
 
-def to_raster(mesh, cell_size, shape, bounds, align, surface, **more):
+def to_raster(mesh: Any, cell_size: Any, shape: Any, bounds: Any, align: Any, surface: Any, **more: Any) -> Any:
     raster = _raster_settings(mesh, more["plane"], cell_size, shape, bounds, align)
     return _interpolate(mesh, None, dict(raster, OutputType=int(bool(surface))), **more)
 
@@ -283,5 +291,5 @@ def _places_of(places):
     return pyvista.PolyData(numpy.c_[xyz, numpy.zeros((len(xyz), 3 - xyz.shape[1]))])
 
 
-def sample(mesh, places, **more):
+def sample(mesh: Any, places: Any, **more: Any) -> Any:
     return _interpolate(mesh, _places_of(places), {}, **more)

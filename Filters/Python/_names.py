@@ -32,9 +32,9 @@ def value_of(keyword: str, value: Any) -> Any:
     return VALUES.get(keyword, {}).get(value, value) if isinstance(value, str) else value
 
 
-def by_any_name() -> Callable[[Function], Function]:
+def by_any_name(positional: str = "") -> Callable[[Function], Function]:
     """Decorates a function that takes each keyword of its signature by the other name too. TypeError for one that is
-    given by both."""
+    given by both, and with the words of `positional` for more than one argument without a name, if there are any."""
 
     def decorate(function: Function) -> Function:
         signature = inspect.signature(function)
@@ -44,6 +44,8 @@ def by_any_name() -> Callable[[Function], Function]:
 
         @functools.wraps(function)
         def call(*arguments: Any, **keywords: Any) -> Any:
+            if positional and len(arguments) > 1:
+                raise TypeError("%s() %s" % (function.__name__, positional))
             if names.isdisjoint(keywords):
                 return function(*arguments, **keywords)
             for other in names & keywords.keys():

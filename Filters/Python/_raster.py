@@ -156,6 +156,8 @@ class Raster:
 def table_of(given: Any, names: str) -> Any:
     """Of a table (a data frame, a structured array) that has columns x and y: an array of its columns with these names,
     large or small, and others as they are."""
+    if type(given) is np.ndarray and given.dtype.names is None:
+        return given
     columns = getattr(given, "columns", None)
     if columns is None:
         columns = getattr(getattr(given, "dtype", None), "names", None)
@@ -324,7 +326,7 @@ class Axis(NamedTuple):
 
     origin: float  # the first centre
     spacing: float
-    count: float
+    count: float  # type: ignore[assignment]
 
     def last(self) -> float:
         return self.origin + (self.count - 1) * self.spacing

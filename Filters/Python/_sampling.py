@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Callable, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import (
+    TYPE_CHECKING, Any, Callable, Literal, NamedTuple, Optional, Sequence, Tuple, Union, get_args, overload,
+)  # fmt: skip
 
 import numpy as np
 
@@ -15,7 +17,9 @@ from ._raster import Raster, check_order, raster_over, real_numbers, unmasked, x
 from ._warnings import tell as warn_of
 
 #: In the order of the header's numbers.
-METHODS = ("linear", "natural", "laplace", "nearest")
+Method = Literal["linear", "natural", "laplace", "nearest"]
+METHODS: Tuple[str, ...] = get_args(Method)
+Outside = Union[complex, Literal["nearest", "boundary"]]
 #: By the header's numbers, from 1 on.
 OUTSIDE = {"nearest": library.OUTSIDE_NEAREST_VERTEX, "boundary": library.OUTSIDE_BOUNDARY}
 
@@ -63,6 +67,11 @@ def check_outside(name: str, given: Any, also: str, kind: str) -> None:
 class Sampled(Made):
     """The interpolation on a Triangulation."""
 
+    if TYPE_CHECKING:
+
+        @property
+        def points(self) -> np.ndarray: ...
+
     def _for_places(self) -> library.Job:
         """The job. The first time the engine makes tables of its own, and reads no points after that. Requires: the
         lock."""
@@ -71,7 +80,7 @@ class Sampled(Made):
     def _lacking_rows(self, given: np.ndarray) -> int:
         """How many rows values lack: those of source points, if these take them from the surface. ValueError unless
         there is one for each other point."""
-        added = self._counts["source_points"]
+        added: int = self._counts["source_points"]
         count = self._counts["input_points"] + added
         fromSurface = self._request.settings["source_heights"] == library.HEIGHTS_FROM_SURFACE
         if fromSurface and given.ndim and len(given) == count - added:
@@ -94,8 +103,8 @@ class Sampled(Made):
 
     def raster(
         self,
-        *,
         cell_size: Union[None, float, Sequence[float]] = None,
+        *,
         shape: Optional[Sequence[int]] = None,
         bounds: Any = None,
         align: bool = False,
@@ -162,13 +171,37 @@ class Sampled(Made):
             box: Sequence[float] = self._engine().array("vertex_bounds").ravel().tolist()
         return box
 
+    @overload
     def interpolate(
         self,
         values: Any,
         at: Any = None,
-        method: str = "linear",
+        method: Method = "linear",
         *,
-        outside: Union[float, str] = np.nan,
+        outside: Outside = np.nan,
+        gradient: Literal[False] = False,
+        progress: Optional[ProgressFunction] = None,
+    ) -> np.ndarray: ...
+
+    @overload
+    def interpolate(
+        self,
+        values: Any,
+        at: Any,
+        method: Literal["linear"] = "linear",
+        *,
+        outside: Outside = np.nan,
+        gradient: Literal[True],
+        progress: Optional[ProgressFunction] = None,
+    ) -> Tuple[np.ndarray, np.ndarray]: ...
+
+    def interpolate(
+        self,
+        values: Any,
+        at: Any = None,
+        method: Method = "linear",
+        *,
+        outside: Outside = np.nan,
         gradient: bool = False,
         progress: Optional[ProgressFunction] = None,
     ) -> Any:
@@ -243,7 +276,7 @@ class Sampled(Made):
             return self._for_points(given, self._columns_of_z(given))
         return self._at(values, at, method, outside, gradient, progress, True)
 
-    def weights(self, at: Any, method: str = "linear") -> Weights:
+    def weights(self, at: Any, method: Method = "linear") -> Weights:
         """The weights of the points in the value at each place: to interpolate many times at the same places, or to
         interpolate something other than an array of numbers.
 
@@ -285,8 +318,8 @@ class Sampled(Made):
         self,
         values: Any,
         at: Any,
-        method: str,
-        outside: Union[float, str],
+        method: Method,
+        outside: Outside,
         gradient: bool = False,
         progress: Optional[ProgressFunction] = None,
         tells: bool = False,
@@ -312,7 +345,7 @@ class Sampled(Made):
         made = found.values[0].view(dtype)
         if isFilled:
             made[found.mask == 0] = outside
-        elif tells and fills == library.OUTSIDE_NO_VALUE and made.size and np.isnan(made[0]).all():
+        elif tells and fills == library.OUTSIDE_NO_VALUE and made.size and made[0, 0] != made[0, 0]:
             self._tell_if_none(places, made)
         made = made.reshape(shape + given.shape[1:])
         return (made, _slopes(found.gradients[0], dtype).reshape(made.shape + (2,))) if gradient else made

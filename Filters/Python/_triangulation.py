@@ -5,19 +5,17 @@ from __future__ import annotations
 
 import functools
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Callable, Dict, Iterable, Mapping, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, Iterable, Literal, Mapping, Optional, Tuple
 
 import numpy as np
 
 from . import _library as library
-from ._geometry import constraints_of
-from ._input import CHOICES, DEFAULTS, Plane, Request, points_of
-from ._keywords import WANTED
+from ._input import CHOICES, DEFAULTS, Request
 from ._made import frozen
+from ._picture import svg
 from ._results import Boxes, Location, Outline, Voronoi, chained
 from ._raster import real_numbers, unmasked, xy_of
 from ._sampling import Sampled
-from ._warnings import warn
 
 
 _TRIANGLES = library.names(library.COUNTS).index("triangles")
@@ -84,7 +82,7 @@ class Triangulation(Sampled):
         job.set_progress(None)
 
     @functools.cached_property
-    def _counts(self) -> Dict[str, int]:  # type: ignore[override]
+    def _counts(self) -> Dict[str, int]:
         return dict(zip(library.names(library.COUNTS), self._numbers[0]))
 
     @functools.cached_property
@@ -345,7 +343,7 @@ class Triangulation(Sampled):
 
     # --- questions ---
 
-    def voronoi(self, clip: Optional[str] = None) -> Voronoi:
+    def voronoi(self, clip: Optional[Literal["hull", "bounds"]] = None) -> Voronoi:
         """The Voronoi diagram of the vertices, without regard to constraints and removed triangles.
 
         Its topology is exact, like the triangles; corners are rounded to float64.
@@ -445,6 +443,16 @@ class Triangulation(Sampled):
             return "<Triangulation that was not made>"
         return "<Triangulation of %d points: %d triangles>" % (self._counts["points"], len(self.triangles))
 
+    def _repr_html_(self) -> str:
+        """A small picture, for notebooks, and what became of the points."""
+        words = [repr(self)[1:-1]]
+        words += ["%s: %d" % (name.replace("_", " "), self._counts[name]) for name in (
+            "source_points", "constraint_edges", "segments_crossing", "duplicates", "not_finite", "skipped")
+            if self._counts[name]]  # fmt: skip
+        isPlain = self._request.settings["plane"] == library.PLANE_XY
+        picture = svg(self.triangles, self.points if isPlain else self.plane_points)
+        return "<div>%s<br>%s</div>" % (picture, "; ".join(words))
+
     def __copy__(self) -> Triangulation:
         return self
 
@@ -460,57 +468,3 @@ class Triangulation(Sampled):
         for made in self._cached.values():
             for array in _arrays_of(made):
                 frozen(array)
-
-
-_IDS = frozenset((np.dtype(np.int32), np.dtype(np.int64)))  # of the machine's byte order
-
-
-def _constrained(
-    constraints: Any, others: Mapping[str, Any], isInSpace: bool, settings: Dict[str, Any]
-) -> Tuple[Optional[np.ndarray], Dict[str, Any], Dict[str, Any]]:
-    """Source points, chains and settings for constraints that bring their points. `others`: their names, and None.
-    Without a z of their own, their heights are those of the surface."""
-    for name, value in others.items():
-        if value is not None:
-            raise ValueError("constraints bring points of their own: give either these or %s" % name)
-    made = constraints_of(constraints)
-    if not len(made.points):
-        return None, {}, settings
-    if made.points.shape[1] == 2:
-        settings = {**settings, "source_heights": "surface"}
-    return made.source(isInSpace), {"lines": made.lines, "loops": made.loops}, settings
-
-
-def triangulate(
-    points: Any,
-    constraints: Any,
-    segments: Any,
-    lines: Any,
-    loops: Any,
-    source_points: Any,
-    skip: Any,
-    plane: Plane,
-    id_dtype: Any,
-    want: Union[str, Sequence[str]],
-    progress: Optional[Callable[[str, float], Any]],
-    **settings: Any,
-) -> Triangulation:
-    """`delaunay`, with the settings that are one number or word each."""
-    dtype = np.dtype(id_dtype)
-    if dtype not in _IDS:
-        raise TypeError("id_dtype must be numpy.int32 or numpy.int64, not %s" % dtype)
-    wanted = (want,) if isinstance(want, str) else tuple(want)
-    for name in wanted:
-        if name not in WANTED:
-            raise ValueError("want: %r is not one of %s" % (name, ", ".join(map(repr, WANTED))))
-    if progress is not None and not callable(progress):
-        raise TypeError("progress must be a function, not %r" % (progress,))
-    chains = {"segments": segments, "lines": lines, "loops": loops}
-    if constraints is not None:
-        points = points_of("points", points)
-        given = {**chains, "source_points": source_points}
-        source_points, chains, settings = _constrained(constraints, given, points.shape[1] == 3, settings)
-    request = Request(points, skip, source_points, chains, plane, settings)
-    made = Triangulation(request, dtype, wanted, progress)
-    warn(made._job, {"plane_was_chosen": 1} if request.plane_was_chosen else {})
-    return made

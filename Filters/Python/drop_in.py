@@ -24,6 +24,7 @@ import contextlib
 import importlib
 import importlib.abc
 import sys
+from typing import Any, Iterator
 
 from . import _vtk
 
@@ -157,7 +158,7 @@ def _pair(package):
     return _replaced[package]
 
 
-def __getattr__(name):
+def __getattr__(name: str) -> Any:
     """`original`: the class of the VTK in use, whatever is installed; `vtkDelaunay2D`: the one for its place."""
     if name in _askers:
         return _given(name, sys._getframe(1).f_globals)
@@ -263,7 +264,7 @@ def _loaded():
     return [package for package in _vtk.PACKAGES if package + MODULE in sys.modules]
 
 
-def install():
+def install() -> None:
     """Replaces VTK's vtkDelaunay2D in all loaded modules, of `vtkmodules` and of `cvista`, and in those that are loaded
     later. Importing this module does it."""
     _wanted[0] = True
@@ -272,7 +273,7 @@ def install():
         _replace(package, True)
 
 
-def uninstall():
+def uninstall() -> None:
     """Puts VTK's vtkDelaunay2D back in all loaded modules. Existing filters stay unchanged."""
     _wanted[0] = False
     _watch.go()
@@ -280,13 +281,13 @@ def uninstall():
         _replace(package, False)
 
 
-def installed():
+def installed() -> bool:
     """Is VTK's vtkDelaunay2D replaced at the moment?"""
     return _wanted[0]
 
 
 @contextlib.contextmanager
-def suspended():
+def suspended() -> Iterator[Any]:
     """VTK's vtkDelaunay2D is back inside a `with` block; afterwards all is as it was before. Gives the original."""
     was_installed = installed()
     uninstall()

@@ -6,14 +6,21 @@ PyVista from 0.48 on finds this module by itself (entry point `pyvista.accessors
 package is not installed but on the path, `import adaptivehilbertdelaunay.pyvista` does it.
 """
 
+from __future__ import annotations
+
 import functools
 import inspect
 import math
+from typing import Any, Iterable, Literal, Union
 
 import pyvista
 
 from . import _meshes
-from ._names import by_any_name
+from ._names import Function, by_any_name
+from ._sampling import Method
+
+# Transforms are of any VTK.
+Outside = Literal["none", "nearest", "boundary"]
 
 __all__ = ["Adaptive", "delaunay_2d", "sample", "to_raster", "voronoi_2d"]
 
@@ -22,28 +29,28 @@ NAME = "adaptive"
 
 @by_any_name()
 def delaunay_2d(
-    mesh,
-    tol=0.0,
-    alpha=0.0,
-    offset=1.0,
-    bound=False,
-    inplace=False,
-    edge_source=None,
-    progress_bar=False,
+    mesh: Any,
+    tol: float = 0.0,
+    alpha: float = 0.0,
+    offset: float = 1.0,
+    bound: bool = False,
+    inplace: bool = False,
+    edge_source: Any = None,
+    progress_bar: bool = False,
     *,
-    constraints=None,
-    plane="automatic",
-    heights="own",
-    closed_lines="loops",
-    fill_rule="even_odd",
-    crossings="leave_out",
-    maximum_edge_length=0.0,
-    rim="automatic",
-    duplicates="first",
-    threads=0,
-    memory_limit=0,
-    arrays=(),
-):
+    constraints: Any = None,
+    plane: Any = "automatic",
+    heights: Literal["own", "surface"] = "own",
+    closed_lines: Literal["lines", "loops"] = "loops",
+    fill_rule: Literal["orientation", "even_odd"] = "even_odd",
+    crossings: Literal["leave_out", "split"] = "leave_out",
+    maximum_edge_length: float = 0.0,
+    rim: Literal["automatic", "convex_hull", "trimmed"] = "automatic",
+    duplicates: Literal["first", "lowest_z", "highest_z", "mean_z"] = "first",
+    threads: int = 0,
+    memory_limit: Union[int, str] = 0,
+    arrays: Union[str, Iterable[str]] = (),
+) -> pyvista.PolyData:
     """Triangulate the points of a mesh, exactly; the first arguments are PyVista's, in its order.
 
     PyVista's default of `tol` is 1e-5; here only points that coincide exactly are merged.
@@ -96,9 +103,12 @@ def delaunay_2d(
         Which of several points at one place is the vertex: the one with the smallest id; with the lowest or highest
         finite z; with the smallest id, moved to the mean of all with a finite z.
     threads : int from 0 to 1024, default 0
-        Number of threads; 0: one for each processor that the process may run on. The result is the same.
-    memory_limit : int, 0 or more, default 0
-        The most bytes to allocate; 0: what the process can get without swapping.
+        Number of threads; 0: as the environment said at first use (ADAPTIVEHILBERTDELAUNAY_THREADS, else
+        VTK_SMP_MAX_THREADS, else OMP_NUM_THREADS), at most and by default one for each processor that the process may
+        run on. The result is the same.
+    memory_limit : int, 0 or more, or str, default 0
+        The most memory to allocate, in bytes or as a text such as '2 GB' (KB, MB, GB of 1000, KiB, MiB, GiB of 1024);
+        0: what the process can get without swapping.
     arrays : iterable of {'status', 'rank', 'constraint_edges', 'regions', 'neighbors'}
         Arrays to add: point data "Fate" ('status'), "InsertionRank" ('rank'); cell data "ConstraintEdges"
         ('constraint_edges'), "RegionId" ('regions'), "Neighbors" ('neighbors').
@@ -122,16 +132,16 @@ def delaunay_2d(
 
 @by_any_name()
 def voronoi_2d(
-    mesh,
-    tol=0.0,
-    clip="hull",
+    mesh: Any,
+    tol: float = 0.0,
+    clip: Literal["hull", "bounds"] = "hull",
     *,
-    plane="automatic",
-    duplicates="first",
-    threads=0,
-    memory_limit=0,
-    progress_bar=False,
-):
+    plane: Any = "automatic",
+    duplicates: Literal["first", "lowest_z", "highest_z", "mean_z"] = "first",
+    threads: int = 0,
+    memory_limit: Union[int, str] = 0,
+    progress_bar: bool = False,
+) -> pyvista.PolyData:
     """The Voronoi diagram of the points of a mesh.
 
     Parameters
@@ -164,34 +174,34 @@ def voronoi_2d(
 
 @by_any_name()
 def to_raster(
-    mesh,
-    cell_size=None,
+    mesh: Any,
+    cell_size: Any = None,
     *,
-    shape=None,
-    bounds=None,
-    align=False,
-    method="linear",
-    outside="none",
-    no_value=math.nan,
-    gradients=False,
-    surface=False,
-    elevation="Elevation",
-    plane="xy",
-    edge_source=None,
-    constraints=None,
-    heights="own",
-    closed_lines="loops",
-    fill_rule="even_odd",
-    crossings="leave_out",
-    maximum_edge_length=0.0,
-    alpha=0.0,
-    rim="automatic",
-    tol=0.0,
-    duplicates="first",
-    threads=0,
-    memory_limit=0,
-    progress_bar=False,
-):
+    shape: Any = None,
+    bounds: Any = None,
+    align: bool = False,
+    method: Method = "linear",
+    outside: Outside = "none",
+    no_value: float = math.nan,
+    gradients: bool = False,
+    surface: bool = False,
+    elevation: str = "Elevation",
+    plane: Any = "xy",
+    edge_source: Any = None,
+    constraints: Any = None,
+    heights: Literal["own", "surface"] = "own",
+    closed_lines: Literal["lines", "loops"] = "loops",
+    fill_rule: Literal["orientation", "even_odd"] = "even_odd",
+    crossings: Literal["leave_out", "split"] = "leave_out",
+    maximum_edge_length: float = 0.0,
+    alpha: float = 0.0,
+    rim: Literal["automatic", "convex_hull", "trimmed"] = "automatic",
+    tol: float = 0.0,
+    duplicates: Literal["first", "lowest_z", "highest_z", "mean_z"] = "first",
+    threads: int = 0,
+    memory_limit: Union[int, str] = 0,
+    progress_bar: bool = False,
+) -> Any:
     """Heights and point data of scattered points on a raster (a DEM), by their exact Delaunay triangulation.
 
     Parameters
@@ -252,30 +262,30 @@ def to_raster(
 
 @by_any_name()
 def sample(
-    mesh,
-    places,
+    mesh: Any,
+    places: Any,
     *,
-    method="linear",
-    outside="none",
-    no_value=math.nan,
-    gradients=False,
-    elevation="Elevation",
-    plane="xy",
-    edge_source=None,
-    constraints=None,
-    heights="own",
-    closed_lines="loops",
-    fill_rule="even_odd",
-    crossings="leave_out",
-    maximum_edge_length=0.0,
-    alpha=0.0,
-    rim="automatic",
-    tol=0.0,
-    duplicates="first",
-    threads=0,
-    memory_limit=0,
-    progress_bar=False,
-):
+    method: Method = "linear",
+    outside: Outside = "none",
+    no_value: float = math.nan,
+    gradients: bool = False,
+    elevation: str = "Elevation",
+    plane: Any = "xy",
+    edge_source: Any = None,
+    constraints: Any = None,
+    heights: Literal["own", "surface"] = "own",
+    closed_lines: Literal["lines", "loops"] = "loops",
+    fill_rule: Literal["orientation", "even_odd"] = "even_odd",
+    crossings: Literal["leave_out", "split"] = "leave_out",
+    maximum_edge_length: float = 0.0,
+    alpha: float = 0.0,
+    rim: Literal["automatic", "convex_hull", "trimmed"] = "automatic",
+    tol: float = 0.0,
+    duplicates: Literal["first", "lowest_z", "highest_z", "mean_z"] = "first",
+    threads: int = 0,
+    memory_limit: Union[int, str] = 0,
+    progress_bar: bool = False,
+) -> Any:
     """Heights and point data of scattered points at other places, such as the points of a line: a profile.
 
     The values are those of the points of `mesh`; PyVista's own `sample` works in the other direction.
@@ -309,23 +319,23 @@ def sample(
     return _meshes.sample(**locals())
 
 
-def _method(function):
+def _method(function: Function) -> Function:
     """A method of the accessor: with the signature and docstring of the function, for its mesh."""
 
     @functools.wraps(function)
-    def method(self, *arguments, **more):
+    def method(self: Adaptive, *arguments: Any, **more: Any) -> Any:
         return function(self._mesh, *arguments, **more)
 
     signature = inspect.signature(function)
     mesh, *others = signature.parameters.values()
-    method.__signature__ = signature.replace(parameters=[mesh.replace(name="self"), *others])
-    return method
+    setattr(method, "__signature__", signature.replace(parameters=[mesh.replace(name="self"), *others]))
+    return method  # type: ignore[return-value]
 
 
 class Adaptive:
     """What this package makes of a mesh: `mesh.adaptive`."""
 
-    def __init__(self, mesh):
+    def __init__(self, mesh: Any) -> None:
         self._mesh = mesh
 
     delaunay_2d = _method(delaunay_2d)
@@ -334,7 +344,7 @@ class Adaptive:
     sample = _method(sample)
 
 
-def _register():
+def _register() -> None:
     for kind in (pyvista.DataSet, pyvista.MultiBlock):
         if hasattr(pyvista, "register_dataset_accessor"):
             pyvista.register_dataset_accessor(NAME, kind)(Adaptive)

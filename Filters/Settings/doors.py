@@ -32,16 +32,29 @@ class Keyword:
         return repr(self.default).replace("'", '"')
 
     @property
+    def hint(self):
+        """For type checkers."""
+        if self.name == "memory_limit":
+            return "Union[int, str]"
+        return _literal(self.names) if self.kind == "str" else self.kind
+
+    @property
     def type(self):
         """For docstrings."""
         if self.kind == "str":
             return "{" + ", ".join(map(repr, self.names)) + "}"
         if self.kind == "bool":
             return self.kind
+        if self.name == "memory_limit":
+            return "int, 0 or more, or str"
         least, most = (tables.numbers(end)[0] if math.isfinite(end) else "" for end in self.ends)
         if self.ends[1] >= 2**31 - 1:
             return f"{self.kind}, {least} or more"
         return f"{self.kind} from {least} to {most}"
+
+
+def _literal(names):
+    return "Literal[" + ", ".join(f'"{name}"' for name in names) + "]"
 
 
 def _keyword(one, name, setting, names, default, about):
@@ -121,11 +134,12 @@ def _wanted(settings, kind):
 
 
 def numpy_parameters(settings, _):
-    return [f"    {one.name}: {one.kind} = {one.shown_default}," for one in of_numpy(settings)]
+    return [f"    {one.name}: {one.hint} = {one.shown_default}," for one in of_numpy(settings)]
+
 
 
 def mesh_parameters(settings, _, *words):
-    return [f"    {one.name}={one.shown_default}," for one in _chosen(settings, *words)]
+    return [f"    {one.name}: {one.hint} = {one.shown_default}," for one in _chosen(settings, *words)]
 
 
 # --- docstrings ---------------------------------------------------------------------------------

@@ -138,7 +138,7 @@ class PointsTest(unittest.TestCase):
         self.assertEqual(made.counts["skipped"], np.count_nonzero((points < 0.1).any(axis=1)))
 
     def test_columns_by_their_names(self):
-        """Of structured arrays; of data frames: test_gis.py."""
+        """Of structured arrays; of data frames: with_gis.py."""
         points = cloud(48, 60, 3)
         table = np.zeros(60, [("z", "f4"), ("y", "f8"), ("class", "i2"), ("x", "f8")])
         for k, name in enumerate("xyz"):

@@ -21,7 +21,8 @@ import test_geometry
 import test_input
 
 FILE = pathlib.Path(__file__).with_name("Refusals.json")
-MODULES = ("_geometry.py", "_input.py", "_interpolators.py", "_raster.py", "_sampling.py", "_triangulation.py")
+MODULES = ("_geometry.py", "_input.py", "_interpolators.py", "_names.py", "_raster.py", "_sampling.py",
+           "_triangulate.py", "_triangulation.py")  # fmt: skip
 # Exceptions that are caught again, with other texts.
 INSIDE = (" is not a number",)
 NOT_MUST = re.compile("(is|are|has|have) to (be|have) ")
@@ -100,6 +101,8 @@ CALLS = {
     "values without those of the source": lambda: WITH_SOURCE.interpolate(VALUES, PLACE),
     "values of an interpolator with a source": lambda: LinearInterpolator(WITH_SOURCE, VALUES),
     "constraints of both kinds": lambda: delaunay(SQUARE, constraints=SQUARE[:3], loops=[0, 1, 2]),
+    "x and y": lambda: delaunay(SQUARE[:, 0], SQUARE[:, 1]),
+    "both names": lambda: delaunay(SQUARE, tol=0, tolerance=0),
     "a masked skip": lambda: delaunay(SQUARE, skip=np.ma.masked_equal(np.zeros(6, bool), False)),
 }
 for k, (_, given, _) in enumerate(test_geometry.WRONG):

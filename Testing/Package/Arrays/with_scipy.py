@@ -15,14 +15,15 @@ import unittest
 import numpy as np
 
 
-def reached(folder):
-    """The venv's Python, with scipy in it; None if it is not available."""
+def reached(folder, check="import scipy", packages=("scipy<1.12",), options=("--system-site-packages",)):
+    """The Python of a venv made with these options, with these packages in it, so that it passes the check; None if it
+    is not available."""
     python = os.path.join(folder, "bin", "python")
     clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
     commands = [
-        [python, "-c", "import scipy"],
-        [sys.executable, "-m", "venv", "--clear", "--system-site-packages", folder],
-        [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "scipy<1.12"],
+        [python, "-c", check],
+        [sys.executable, "-m", "venv", "--clear", *options, folder],
+        [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *packages],
     ]  # fmt: skip
     for command in commands:
         try:

@@ -10,12 +10,13 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 import warnings
 
 import numpy
 import pyvista
 
-from adaptivehilbertdelaunay import DelaunayWarning
+from adaptivehilbertdelaunay import DelaunayWarning, _interface, _meshes
 
 if not hasattr(pyvista, "register_dataset_accessor") or "found" not in sys.argv:
     import adaptivehilbertdelaunay.pyvista  # noqa: F401 (with "found" PyVista finds it by its entry point)
@@ -307,6 +308,20 @@ class DelaunayTest(unittest.TestCase):
         with self.assertRaises(kind, msg=more) as caught:
             call(**more)
         self.assertEqual(str(caught.exception), text)
+
+    def test_threads_and_memory_in_words(self):
+        """As for arrays."""
+        mesh = mesh_of(scattered(50))
+        with self.assertRaisesRegex(MemoryError, "allows 2.04 KB"):
+            mesh.adaptive.delaunay_2d(memory_limit="2 KiB")
+        self.assertEqual(mesh.adaptive.delaunay_2d(memory_limit="1 GB").n_cells, mesh.adaptive.delaunay_2d().n_cells)
+        asked = []
+        with unittest.mock.patch.object(_interface, "_told", 1):
+            with unittest.mock.patch.object(_meshes, "_set", lambda algorithm, **more: asked.append(more)):
+                mesh.adaptive.delaunay_2d()
+                mesh.adaptive.delaunay_2d(threads=3)
+        told = [more["NumberOfThreads"] for more in asked if "NumberOfThreads" in more]
+        self.assertEqual(told, [1, 3])
 
     def test_other_names(self):
         """Those of `delaunay` and shorter ones are accepted as synonyms, and never both."""

@@ -30,6 +30,8 @@ ROWS = [
     ("delaunay_2d", dict(threads=1025), ValueError, "threads must be from 0 to 1024, not 1025"),
     ("delaunay_2d", dict(memory_limit=-1), ValueError,
      "memory_limit must be from 0 to 9223372036854775807, not -1"),
+    ("delaunay_2d", dict(memory_limit="much"), TypeError,
+     "memory_limit must be a whole number of bytes, or a text such as '2 GB', not 'much'"),
     ("delaunay_2d", dict(memory_limit=2**63), ValueError,
      "memory_limit must be from 0 to 9223372036854775807, not 9223372036854775808"),
     ("delaunay_2d", dict(edge_source=MESH, constraints=MESH), ValueError,

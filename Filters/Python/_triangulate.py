@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What `delaunay` does."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _library as library
+from ._geometry import constraints_of
+from ._input import Plane, Request, points_of
+from ._keywords import WANTED
+from ._triangulation import Triangulation
+from ._warnings import tell, warn
+
+_IDS = frozenset((np.dtype(np.int32), np.dtype(np.int64)))  # of the machine's byte order
+
+
+def _constrained(
+    constraints: Any, others: Mapping[str, Any], isInSpace: bool, settings: Dict[str, Any]
+) -> Tuple[Optional[np.ndarray], Dict[str, Any], Dict[str, Any]]:
+    """Source points, chains and settings for constraints that bring their points. `others`: their names, and None.
+    Without a z of their own, their heights are those of the surface."""
+    for name, value in others.items():
+        if value is not None:
+            raise ValueError("constraints bring points of their own: give either these or %s" % name)
+    made = constraints_of(constraints)
+    if not len(made.points):
+        return None, {}, settings
+    if made.points.shape[1] == 2:
+        settings = {**settings, "source_heights": "surface"}
+    return made.source(isInSpace), {"lines": made.lines, "loops": made.loops}, settings
+
+
+def triangulate(
+    points: Any,
+    constraints: Any,
+    segments: Any,
+    lines: Any,
+    loops: Any,
+    source_points: Any,
+    skip: Any,
+    plane: Plane,
+    id_dtype: Any,
+    want: Union[str, Sequence[str]],
+    progress: Optional[Callable[[str, float], Any]],
+    **settings: Any,
+) -> Triangulation:
+    """`delaunay`, with the settings that are one number or word each."""
+    dtype = np.dtype(id_dtype)
+    if dtype not in _IDS:
+        raise TypeError("id_dtype must be numpy.int32 or numpy.int64, not %s" % dtype)
+    wanted = (want,) if isinstance(want, str) else tuple(want)
+    for name in wanted:
+        if name not in WANTED:
+            raise ValueError("want: %r is not one of %s" % (name, ", ".join(map(repr, WANTED))))
+    if progress is not None and not callable(progress):
+        raise TypeError("progress must be a function, not %r" % (progress,))
+    chains = {"segments": segments, "lines": lines, "loops": loops}
+    if constraints is not None:
+        points = points_of("points", points)
+        given = {**chains, "source_points": source_points}
+        source_points, chains, settings = _constrained(constraints, given, points.shape[1] == 3, settings)
+    request = Request(points, skip, source_points, chains, plane, settings)
+    made = Triangulation(request, dtype, wanted, progress)
+    warn(made._job, {"plane_was_chosen": 1} if request.plane_was_chosen else {})
+    if request.columns == 2 and request.settings["duplicates"] != library.DUPLICATES_FIRST:
+        tell(["duplicates=%r has no effect, since the points have no z: give (n, 3)" % settings["duplicates"]])
+    return made
