@@ -4,6 +4,7 @@
     python3 TestExamples.py <build folder> <plugin> <cmake> <generator> <compiler>
 """
 
+import importlib.util
 import math
 import os
 import re
@@ -155,6 +156,24 @@ class Examples(unittest.TestCase):
         places, deepest = re.search(r"(\d+) of 201 places are water, the deepest at ([-\d.]+) m", said).groups()
         self.assertTrue(100 < int(places) < 201, said)
         self.assertTrue(-40 < float(deepest) < -5, said)
+        for name in files[2:]:
+            self.assertGreater(os.path.getsize(os.path.join(self.folder, name)), 20000, name)
+
+    def test_dem_gis(self):
+        """The cells of the GeoTIFF are those of the water."""
+        missing = [name for name in ("geopandas", "rasterio", "matplotlib") if importlib.util.find_spec(name) is None]
+        if missing:
+            self.skipTest("no %s here" % " and no ".join(missing))
+        bay = os.path.join(ROOT, "Data", "Bay")
+        files = [os.path.join(bay, name) for name in ("soundings.csv", "coastline.vtp")] + ["bay.tif", "dem.png"]
+        said = self.run_example(sys.executable, os.path.join(EXAMPLES, "dem_gis.py"), *files)
+        self.assertIn("; 0 of the constraints' segments were left out", said)
+        rows, columns, water, deepest = re.search(
+            r"(\d+) x (\d+) cells in EPSG:32632, (\d+) of them water, the deepest at ([-\d.]+) m", said).groups()
+        area = float(re.search(r"^([\d.]+) square", self.run_example(
+            sys.executable, os.path.join(EXAMPLES, "arrays.py"), *files[:2]), re.MULTILINE).group(1))  # fmt: skip
+        self.assertAlmostEqual(int(water) * 25 / 1e6, area, delta=0.001 * area)
+        self.assertTrue(int(water) < int(rows) * int(columns) and -40 < float(deepest) < -5, said)
         for name in files[2:]:
             self.assertGreater(os.path.getsize(os.path.join(self.folder, name)), 20000, name)
 
