@@ -18,7 +18,7 @@ vtkAdaptiveHilbertInterpolationAlgorithm::~vtkAdaptiveHilbertInterpolationAlgori
 
 void vtkAdaptiveHilbertInterpolationAlgorithm::SetDimensions(int value0, int value1)
 {
-  const std::array<int, 2> values = { std::max<int>(1, value0), std::max<int>(1, value1) };
+  const std::array<int, 2> values = { std::max<int>(0, value0), std::max<int>(0, value1) };
   if (!std::equal(values.begin(), values.end(), this->Dimensions))
   {
     std::copy(values.begin(), values.end(), this->Dimensions);

@@ -271,40 +271,44 @@ const double* InputBounds(vtkSMProxy* proxy)
   return bounds && bounds[0] <= bounds[1] && bounds[2] <= bounds[3] ? bounds : nullptr;
 }
 
-/// 1, 2 or 5 times a power of ten, not above `size`.
-double roundedDown(double size)
-{
-  const double power = std::pow(10.0, std::floor(std::log10(size)));
-  return (size >= 5.0 * power ? 5.0 : size >= 2.0 * power ? 2.0 : 1.0) * power;
-}
-
-/// So many cells along the longer side, or somewhat more, where nobody gave a size.
-constexpr double kCells = 400.0;
-
-/// Fills in what is not used yet: an area and a cell size from which one may start. @pre a
-/// proxy of the interpolation.
+/// Fills in what is not used yet: an area from which one may start. @pre a proxy of the
+/// interpolation.
 void SuggestRaster(vtkSMProxy* proxy)
 {
   const double* bounds = InputBounds(proxy);
-  if (!bounds)
-  {
-    return;
-  }
-  const double longer = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
   vtkSMProperty* area = proxy->GetProperty("Bounds");
-  if (!vtkSMPropertyHelper(proxy, "UseBounds").GetAsInt() && area->IsValueDefault())
+  if (bounds && !vtkSMPropertyHelper(proxy, "UseBounds").GetAsInt() && area->IsValueDefault())
   {
     vtkSMPropertyHelper(area).Set(bounds, 4);
   }
-  vtkSMProperty* cell = proxy->GetProperty("CellSize");
-  if (!vtkSMPropertyHelper(proxy, "RasterSize").GetAsInt() && cell->IsValueDefault() &&
-    std::isnormal(longer))
+}
+
+/// Scripts that set Dimensions alone mean these: they are chosen where no cell size is given. @pre
+/// a proxy of the interpolation.
+void UseDimensions(vtkSMProxy* proxy)
+{
+  if (proxy->GetProperty("CellSize")->IsValueDefault() &&
+    !proxy->GetProperty("Dimensions")->IsValueDefault())
   {
-    const double size = roundedDown(longer / kCells);
-    vtkSMPropertyHelper(cell).Set(0, size);
-    vtkSMPropertyHelper(cell).Set(1, size);
+    vtkSMPropertyHelper(proxy, "RasterSize").Set(0);
+    proxy->UpdateProperty("RasterSize");
   }
 }
+
+/// Observes one proxy: a property was changed.
+class FollowDimensions : public vtkCommand
+{
+public:
+  static FollowDimensions* New() { VTK_STANDARD_NEW_BODY(FollowDimensions); }
+  void Execute(vtkObject* caller, unsigned long, void* data) override
+  {
+    const auto* name = static_cast<const char*>(data);
+    if (name && std::strcmp(name, "Dimensions") == 0)
+    {
+      UseDimensions(vtkSMProxy::SafeDownCast(caller));
+    }
+  }
+};
 
 /// Observes the proxy manager: a proxy was registered.
 class ObserveFilters : public vtkCommand
@@ -338,6 +342,8 @@ public:
     if (isInterpolation)
     {
       SuggestRaster(proxy);
+      UseDimensions(proxy);
+      proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this->Dimensions);
     }
     KeepAllInRange(proxy);
     proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this->Range);
@@ -356,6 +362,7 @@ private:
   vtkNew<RefuseCircle> Refuse;
   vtkNew<FollowOldName> Follow;
   vtkNew<StayInRange> Range;
+  vtkNew<FollowDimensions> Dimensions;
 };
 }
 

@@ -14,6 +14,7 @@ from . import _exchange
 from ._geometry import constraints_of
 
 MOST = 2**31 - 1  # rows or columns
+LEAST_CELLS, MOST_ALONG = 65536.0, 4096.0  # of a raster whose cells are chosen
 
 
 @dataclass(frozen=True)
@@ -353,6 +354,20 @@ def axes_by_count(area: Sequence[float], count: Sequence[int]) -> Tuple[Axis, Ax
     x = x if width > 0 else Axis(area[0], height if height > 0 else 1.0, 1.0)
     y = y if height > 0 else Axis(area[2], width if width > 0 else 1.0, 1.0)
     return x, y
+
+
+def chosen_size(area: Sequence[float], points: int) -> float:
+    """The size of square cells for so many points in an area; vtkAHDRaster.h has the rule."""
+    width, height = area[1] / 2 - area[0] / 2, area[3] / 2 - area[2] / 2  # the whole may be no number
+    longer = max(width, height)
+    cells = math.sqrt(max(float(points), LEAST_CELLS))
+    size = 2 * max(math.sqrt(width) * math.sqrt(height) / cells, longer / MOST_ALONG)
+    if not size > 0:
+        return longer if longer > 0 else 1.0
+    least, nearest = math.floor((math.frexp(size)[1] - 1) * 0.30103), 0.0  # the power of ten, or one less
+    for step in (float("%de%d" % (digit, k)) for k in range(least - 1, least + 3) for digit in (1, 2, 5)):
+        nearest = step if nearest == 0 or step / size < size / nearest else nearest
+    return nearest
 
 
 def _whole_below(quotient: float, slack: float) -> float:

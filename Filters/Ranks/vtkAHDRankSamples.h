@@ -56,6 +56,9 @@ public:
   /// The number of points of all ranks, those of sources included.
   std::size_t GetPoints() const { return this->Facts.GetPoints() + this->Facts.GetSourcePoints(); }
 
+  /// The same without those of sources.
+  std::size_t GetGivenPoints() const { return this->Facts.GetPoints(); }
+
   /// The number of points of sources, the last ones of the input.
   std::size_t GetAddedPoints() const { return this->AddedPoints; }
 

@@ -4,6 +4,7 @@
 #include "Engine/Points/JoinedBounds.h"
 #include "Engine/Sample/BoxNeighbors.h"
 #include "Execution/vtkAHDMessages.h"
+#include "Pipeline/vtkAHDArray.h"
 #include "Pipeline/vtkAHDSay.h"
 #include "Ranks/vtkAHDArrayFacts.h"
 #include "Sampling/vtkAHDPlaces.h"
@@ -103,8 +104,8 @@ vtkAHDRankSampling::vtkAHDRankSampling(vtkAlgorithm* filter, const vtkAHDSetting
 {
 }
 
-/// Of the points of all. Throws vtkAHDStop on all ranks.
-ahd::Bounds vtkAHDRankSampling::FindBounds(const Inputs& inputs)
+/// Of the points of all, and their number. Throws vtkAHDStop on all ranks.
+ahd::Bounds vtkAHDRankSampling::FindBounds(const Inputs& inputs, std::size_t& points)
 {
   std::string said; // by Run()
   vtkAHDCheckBefore(inputs.Before, this->Ranks, this->Context, said);
@@ -114,18 +115,19 @@ ahd::Bounds vtkAHDRankSampling::FindBounds(const Inputs& inputs)
   vtkAHDAllFacts facts;
   vtkAHDMeet(settings, inputs.Data, this->Ranks, this->Context, facts);
   facts.Compare(settings, said);
+  points = facts.GetPoints();
   this->Ranks.Together(this->Context, [&] { this->FindScalars(facts); });
   if (this->Wishes.UseBounds)
   {
     return ahd::Bounds(); // they do not matter
   }
-  vtkAHDRankPoints points(settings, this->Ranks, facts, this->Context);
-  points.Read(inputs.Data.Input, inputs.Data.Source);
+  vtkAHDRankPoints own(settings, this->Ranks, facts, this->Context);
+  own.Read(inputs.Data.Input, inputs.Data.Source);
   ahd::Bounds bounds;
-  for (const ahd::Bounds& own : this->Ranks.Share(this->Context,
-         [&] { return vtkAHDBoundsOf(points.GetPrepared().points(), this->Context); }))
+  for (const ahd::Bounds& one : this->Ranks.Share(
+         this->Context, [&] { return vtkAHDBoundsOf(own.GetPrepared().points(), this->Context); }))
   {
-    bounds = ahd::joined(bounds, own);
+    bounds = ahd::joined(bounds, one);
   }
   return bounds;
 }
@@ -133,9 +135,10 @@ ahd::Bounds vtkAHDRankSampling::FindBounds(const Inputs& inputs)
 /// The same on all ranks.
 vtkAHDRaster vtkAHDRankSampling::MakeRaster(const vtkAHDRankSamples& samples)
 {
+  const std::size_t points = samples.GetGivenPoints();
   if (this->Wishes.UseBounds)
   {
-    return vtkAHDMakeRasterWithin(this->Wishes.Raster, this->Wishes.Bounds);
+    return vtkAHDMakeRasterWithin(this->Wishes.Raster, this->Wishes.Bounds, points);
   }
   ahd::Bounds bounds;
   this->Ranks.Together(this->Context,
@@ -149,7 +152,7 @@ vtkAHDRaster vtkAHDRankSampling::MakeRaster(const vtkAHDRankSamples& samples)
         *bound += 0.0; // of zeros of both signs it is chance which one comes first
       }
     });
-  return vtkAHDMakeRaster(this->Wishes.Raster, bounds);
+  return vtkAHDMakeRaster(this->Wishes.Raster, bounds, points);
 }
 
 vtkAHDRaster vtkAHDRankSampling::PieceOf(const vtkAHDRaster& whole, const Inputs& inputs)
@@ -326,6 +329,10 @@ void vtkAHDRankSampling::Interpolate(const Inputs& inputs, const vtkAHDRaster& p
   {
     this->LowerHidden(surface);
   }
+  else if (!inputs.Places)
+  {
+    this->MarkAlike(output);
+  }
   this->Say(execution, samples, hearing->Warnings);
 }
 
@@ -402,6 +409,20 @@ void vtkAHDRankSampling::LowerHidden(vtkStructuredGrid* surface)
     {
       places->SetValue(3 * i + 2, least);
     }
+  }
+}
+
+/// Pieces of one image have the same arrays: all the marks of hidden points, or none.
+void vtkAHDRankSampling::MarkAlike(vtkDataSet* image)
+{
+  const char* const name = vtkDataSetAttributes::GhostArrayName();
+  const bool isMarked = image->GetPointData()->HasArray(name) != 0;
+  if (this->Ranks.IsAny(isMarked) && !isMarked)
+  {
+    auto marks = vtkAHDNewArray<vtkUnsignedCharArray>(image->GetNumberOfPoints());
+    marks->SetName(name);
+    marks->FillValue(0);
+    image->GetPointData()->AddArray(marks);
   }
 }
 

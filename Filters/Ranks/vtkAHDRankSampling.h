@@ -75,7 +75,7 @@ private:
   void MeetAll(const Inputs& inputs);
   bool RunTogether(const Inputs& inputs, vtkDataObject* output);
   void SayError(ahd::Status status);
-  ahd::Bounds FindBounds(const Inputs& inputs);
+  ahd::Bounds FindBounds(const Inputs& inputs, std::size_t& points);
   void FindScalars(const vtkAHDAllFacts& facts);
   vtkAHDRaster MakeRaster(const vtkAHDRankSamples& samples);
   vtkAHDRaster PieceOf(const vtkAHDRaster& whole, const Inputs& inputs);
@@ -86,6 +86,7 @@ private:
   void Share(const vtkAHDSampleExecution& execution, bool isDone, const std::string& error,
     const vtkAHDRankSamples& samples);
   void LowerHidden(vtkStructuredGrid* surface);
+  void MarkAlike(vtkDataSet* image);
   void Say(const vtkAHDSampleExecution& execution, const vtkAHDRankSamples& samples,
     const std::vector<std::string>& warnings);
 

@@ -112,9 +112,11 @@ vtkAHDRaster vtkAHDRankSampling::FindRaster(const Inputs& inputs)
   {
     throw vtkAHDStop{ ahd::Status::Cancelled }; // which Run() says
   }
-  const ahd::Bounds bounds = this->FindBounds(inputs);
-  return this->Wishes.UseBounds ? vtkAHDMakeRasterWithin(this->Wishes.Raster, this->Wishes.Bounds)
-                                : vtkAHDMakeRaster(this->Wishes.Raster, bounds);
+  std::size_t points = 0;
+  const ahd::Bounds bounds = this->FindBounds(inputs, points);
+  return this->Wishes.UseBounds
+    ? vtkAHDMakeRasterWithin(this->Wishes.Raster, this->Wishes.Bounds, points)
+    : vtkAHDMakeRaster(this->Wishes.Raster, bounds, points);
 }
 
 /// The active scalars of the output, among the arrays that all ranks have.

@@ -3,11 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <string>
 
 namespace
 {
 constexpr double kMostCells = 2147483647.0; // along an axis, as VTK counts them by int
 constexpr double kPrecision = 0x1p-50;      // of coordinates that were written in decimal
+// Of a raster whose cells are chosen.
+constexpr double kLeastCells = 65536.0;
+constexpr double kMostAlong = 4096.0;
 
 /// (high - low) / size, where only the quotient may be a number, too.
 double LengthIn(double low, double high, double size)
@@ -95,12 +100,46 @@ bool IsSize(double size)
 {
   return size > 0.0 && std::isfinite(size);
 }
+
+/// Of 1, 2 and 5 times a power of ten the next one by ratio. Read as text, they are the same
+/// numbers on all machines.
+double Rounded(double size)
+{
+  int exponent = 0; // of 2: the power of ten is `least` or the next one
+  std::frexp(size, &exponent);
+  const int least = static_cast<int>(std::floor((exponent - 1) * 0.30103));
+  double nearest = 0.0;
+  for (int k = least - 1; k <= least + 2; ++k)
+  {
+    for (const char* digit : { "1e", "2e", "5e" })
+    {
+      const double step = std::strtod((digit + std::to_string(k)).c_str(), nullptr);
+      nearest = nearest == 0.0 || step / size < size / nearest ? step : nearest;
+    }
+  }
+  return nearest;
 }
 
-vtkAHDRaster vtkAHDMakeRaster(const vtkAHDRasterWish& wish, const ahd::Bounds& area)
+/// The size of square cells for so many points in an area.
+double ChosenSize(const ahd::Bounds& area, std::size_t points)
+{
+  // Half of each, as the whole may be no number.
+  const double width = area.xmax / 2.0 - area.xmin / 2.0;
+  const double height = area.ymax / 2.0 - area.ymin / 2.0;
+  const double cells = std::max(double(points), kLeastCells);
+  const double longer = std::max(width, height);
+  const double size = 2.0 *
+    std::max(std::sqrt(width) * std::sqrt(height) / std::sqrt(cells), longer / kMostAlong);
+  return size > 0.0 ? Rounded(size) : longer > 0.0 ? longer : 1.0;
+}
+}
+
+vtkAHDRaster vtkAHDMakeRaster(
+  const vtkAHDRasterWish& wish, const ahd::Bounds& area, std::size_t points)
 {
   vtkAHDRaster raster;
-  if (wish.ByCellSize && !(IsSize(wish.CellSize[0]) && IsSize(wish.CellSize[1])))
+  const bool isChosen = wish.IsChosen();
+  if (wish.ByCellSize && !isChosen && !(IsSize(wish.CellSize[0]) && IsSize(wish.CellSize[1])))
   {
     raster.Fault = vtkAHDRasterFault::CellSize;
     return raster;
@@ -110,10 +149,12 @@ vtkAHDRaster vtkAHDMakeRaster(const vtkAHDRasterWish& wish, const ahd::Bounds& a
     return raster;
   }
   Axis x, y;
-  if (wish.ByCellSize)
+  if (wish.ByCellSize || isChosen)
   {
-    x = BySize(area.xmin, area.xmax, wish.CellSize[0], wish.Align);
-    y = BySize(area.ymin, area.ymax, wish.CellSize[1], wish.Align);
+    const double size = isChosen ? ChosenSize(area, points) : 0.0;
+    const bool aligns = wish.ByCellSize && wish.Align;
+    x = BySize(area.xmin, area.xmax, isChosen ? size : wish.CellSize[0], aligns);
+    y = BySize(area.ymin, area.ymax, isChosen ? size : wish.CellSize[1], aligns);
   }
   else
   {
@@ -154,7 +195,7 @@ vtkAHDRaster vtkAHDMakeRaster(const vtkAHDRasterWish& wish, const ahd::Bounds& a
 }
 
 vtkAHDRaster vtkAHDMakeRasterWithin(
-  const vtkAHDRasterWish& wish, const std::array<double, 4>& bounds)
+  const vtkAHDRasterWish& wish, const std::array<double, 4>& bounds, std::size_t points)
 {
   const bool areFinite = std::all_of(
     bounds.begin(), bounds.end(), [](double bound) { return std::isfinite(bound); });
@@ -169,5 +210,5 @@ vtkAHDRaster vtkAHDMakeRasterWithin(
   area.xmax = bounds[1];
   area.ymin = bounds[2];
   area.ymax = bounds[3];
-  return vtkAHDMakeRaster(wish, area);
+  return vtkAHDMakeRaster(wish, area, points);
 }

@@ -103,7 +103,8 @@ ahd::Bounds vtkAHDFindBounds(const vtkAHDSettings& settings, vtkPointSet* input,
 vtkAHDRaster vtkAHDFindRaster(const vtkAHDSettings& settings, const vtkAHDSampleSettings& wishes,
   vtkPointSet* input, vtkPolyData* source, const vtkAHDContext& context)
 {
+  const auto points = static_cast<std::size_t>(input->GetNumberOfPoints());
   return wishes.UseBounds
-    ? vtkAHDMakeRasterWithin(wishes.Raster, wishes.Bounds)
-    : vtkAHDMakeRaster(wishes.Raster, vtkAHDFindBounds(settings, input, source, context));
+    ? vtkAHDMakeRasterWithin(wishes.Raster, wishes.Bounds, points)
+    : vtkAHDMakeRaster(wishes.Raster, vtkAHDFindBounds(settings, input, source, context), points);
 }

@@ -329,6 +329,49 @@ std::size_t vtkAHDSampleColumns::Gather(
   return missing;
 }
 
+/// Has the place a number in one of the arrays that is not NaN?
+bool vtkAHDSampleColumns::HasValueAt(vtkIdType place) const
+{
+  for (const vtkAHDSampleColumn& column : this->Columns)
+  {
+    for (int c = 0; c < column.Out->GetNumberOfComponents(); ++c)
+    {
+      if (!std::isnan(column.Out->GetComponent(place, c)))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> vtkAHDSampleColumns::MarkWithoutValue(
+  const char* mask, const vtkAHDContext& context) const
+{
+  auto* const heights = vtkArrayDownCast<vtkDoubleArray>(this->GetHeights());
+  const vtkIdType count = heights->GetNumberOfTuples();
+  const double* const height = heights->GetPointer(0);
+  auto marks = vtkAHDNewArray<vtkUnsignedCharArray>(count);
+  marks->SetName(vtkDataSetAttributes::GhostArrayName());
+  unsigned char* const mark = marks->GetPointer(0);
+  std::atomic<bool> hides{ false };
+  context.ForRange(static_cast<std::size_t>(count),
+    [&](std::size_t begin, std::size_t end)
+    {
+      unsigned char any = 0;
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        const bool mayHave = mask[k] != 0 || this->Settings.FillsOutside();
+        const bool isShown = mayHave &&
+          (!std::isnan(height[k]) || this->HasValueAt(static_cast<vtkIdType>(k)));
+        mark[k] = isShown ? 0 : vtkDataSetAttributes::HIDDENPOINT;
+        any |= mark[k];
+      }
+      hides = hides || any != 0;
+    });
+  return hides ? marks : nullptr;
+}
+
 void vtkAHDSampleColumns::AddTo(vtkDataSetAttributes* places) const
 {
   const auto add = [places](vtkDataArray* array, const std::string& name)

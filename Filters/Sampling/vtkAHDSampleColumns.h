@@ -9,6 +9,7 @@
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <cstddef>
 #include <string>
@@ -125,6 +126,12 @@ public:
   std::size_t Gather(
     const double* heights, const double* ids, std::size_t places, const vtkAHDContext& context);
 
+  /// For each place a ghost mark, HIDDENPOINT where neither the height nor an array has a value;
+  /// null if each place has one. `mask`: 1 for places on the surface. After Finish() or Gather().
+  /// Throws vtkAHDStop and std::bad_alloc.
+  vtkSmartPointer<vtkUnsignedCharArray> MarkWithoutValue(
+    const char* mask, const vtkAHDContext& context) const;
+
   /// The heights at the places, after Finish() or Gather(); never null.
   vtkDataArray* GetHeights() const { return this->Columns.front().Out; }
 
@@ -140,6 +147,7 @@ private:
     std::size_t Points;
   };
 
+  bool HasValueAt(vtkIdType place) const;
   double OutputPerPlace() const;
   double BytesPerPlace(const vtkAHDSampleColumn& column) const;
   std::size_t NumbersPerPlace(const vtkAHDSampleColumn& column) const;

@@ -177,10 +177,10 @@ bool vtkAHDSampleExecution::FindPlaces(const vtkAHDSampleInputs& inputs)
     this->Raster.Fault == vtkAHDRasterFault::NoArea;
 }
 
-/// The points of a raster as a surface: x, y, z and mark.
-double vtkAHDSampleExecution::EstimateSurface() const
+/// What a raster has beside columns and mask: hidden points, and x, y and z of a surface.
+double vtkAHDSampleExecution::EstimateRaster() const
 {
-  return this->Wishes.AsSurface ? 25.0 * double(this->NumberOfPlaces) : 0.0;
+  return (this->Wishes.AsSurface ? 25.0 : 1.0) * double(this->NumberOfPlaces);
 }
 
 /// Interpolating. The first of several pieces answers for all: their outputs stay, and one of them
@@ -200,7 +200,7 @@ void vtkAHDSampleExecution::EstimateSampling(const vtkAHDSampleInputs& inputs, s
   {
     const ahd::SampleRaster& cells = this->Raster.Cells;
     this->Memory.Places = double(cells.columns) * double(cells.rows);
-    this->BytesOfSampling = this->EstimateSurface() +
+    this->BytesOfSampling = this->EstimateRaster() +
       vtkAHDSampling::EstimateBytes(this->Wishes, columns, points, ahd::SamplePlaces(cells));
     if (inputs.PiecesBefore)
     {
@@ -265,8 +265,8 @@ bool vtkAHDSampleExecution::FitsToFindPlaces(const vtkAHDSampleInputs& inputs)
     vtkAHDExecution(this->Settings, view, none, this->Context, BytesOf(inputs)).EstimateBytes()));
   memory.Points = ahd::expectedPoints(view.GetRequest());
   const auto& dimensions = this->Wishes.Raster.Dimensions;
-  memory.Places = this->Wishes.Raster.ByCellSize ? -1.0
-                                                 : double(dimensions[0]) * double(dimensions[1]);
+  const bool isUnknown = this->Wishes.Raster.ByCellSize || this->Wishes.Raster.IsChosen();
+  memory.Places = isUnknown ? -1.0 : double(dimensions[0]) * double(dimensions[1]);
   vtkAHDSayMemory(this->Filter, memory, true);
   return false;
 }
@@ -378,6 +378,11 @@ void vtkAHDSampleExecution::Interpolate(
   else if (places.count() > 0)
   {
     vtkAHDMakeImage(places.raster(), vtkImageData::SafeDownCast(output));
+    if (sampling.GetReport().outside + sampling.GetReport().withoutValue > 0)
+    {
+      const auto marks = columns.MarkWithoutValue(sampling.GetMask()->GetPointer(0), this->Context);
+      marks ? output->GetPointData()->AddArray(marks) : 0;
+    }
   }
   this->Context.NextStage();
   this->Context.StopIfAborted();

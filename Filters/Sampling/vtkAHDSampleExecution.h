@@ -105,7 +105,7 @@ private:
   void Keep(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept);
   void CountPlaces(const ahd::SamplePlaces& places, const ahd::SampleReport& counts,
     vtkAHDSampledSurface& surface);
-  double EstimateSurface() const;
+  double EstimateRaster() const;
   void EstimateSampling(const vtkAHDSampleInputs& inputs, std::size_t points);
 
   vtkAlgorithm* const Filter;

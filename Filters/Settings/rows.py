@@ -171,8 +171,14 @@ def said_default(row, by_constants):
         return _said_value(row, by_constants)
     if row.type == "text":
         return f'Default "{row.default}".'
-    text = "Default " + ", ".join("NaN" if one != one else numbers(one)[0] for one in _as_list(row.default))
+    text = f"Default {_said_numbers(row.default)}"
+    if row.shown_default is not row.default:
+        text = f"Default {_said_numbers(row.shown_default)} in ParaView, {_said_numbers(row.default)} in VTK"
     return _said_range(row, text)
+
+
+def _said_numbers(value):
+    return ", ".join("NaN" if one != one else numbers(one)[0] for one in _as_list(value))
 
 
 def _as_list(value):

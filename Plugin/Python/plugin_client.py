@@ -1,9 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the plugin in Python does on the client. make_plugin.py puts it into the plugin, in place of its import."""
 
-import math
-import sys
-
 from paraview.modules.vtkRemotingCore import vtkProcessModule
 from paraview.modules.vtkRemotingServerManager import (
     vtkSMPropertyHelper,
@@ -25,7 +22,7 @@ UP_TO_POINTS = []
 # It shows numbers out of a property's range, or of no entry of a list, though the filter takes the nearest legal one:
 # so does the panel.
 # It has no range that ends at the number of points: that of a hidden property, which is set here, is used.
-# It knows no area and no cell size that suit the points: as long as they are not used, they are suggested.
+# It knows no area that suits the points: as long as it is not used, it is suggested.
 
 FILTER = "AdaptiveHilbertDelaunay2D"
 #: Of the same class, with one output.
@@ -131,26 +128,25 @@ def _keep_in_range(proxy, name):
             vtkSMPropertyHelper(proxy, name).Set(element, kept)
 
 
+def _use_dimensions(proxy):
+    """Scripts that set Dimensions alone mean these: they are chosen where no cell size is given."""
+    if proxy.GetProperty("CellSize").IsValueDefault() and not proxy.GetProperty("Dimensions").IsValueDefault():
+        vtkSMPropertyHelper(proxy, "RasterSize").Set(0)
+        proxy.UpdateProperty("RasterSize")
+
+
 def _suggest_raster(proxy):
-    """Fills in what is not used yet: an area and a cell size from which one may start."""
+    """Fills in what is not used yet: an area from which one may start."""
     item = proxy.GetProperty("Input")
     source = item.GetProxy(0) if item.GetNumberOfProxies() > 0 else None
     if source is None or not source.GetObjectsCreated():
         return
     xmin, xmax, ymin, ymax = source.GetDataInformation(item.GetOutputPortForConnection(0)).GetBounds()[:4]
-    longer = max(xmax - xmin, ymax - ymin)
     if not (xmin <= xmax and ymin <= ymax):
         return
     if not _value(proxy, "UseBounds") and proxy.GetProperty("Bounds").IsValueDefault():
         for element, bound in enumerate((xmin, xmax, ymin, ymax)):
             vtkSMPropertyHelper(proxy, "Bounds").Set(element, bound)
-    if not _value(proxy, "RasterSize") and proxy.GetProperty("CellSize").IsValueDefault() and (
-        sys.float_info.min <= longer < math.inf
-    ):
-        power = 10.0 ** math.floor(math.log10(longer / 400.0))
-        size = max(step for step in (1.0, 2.0, 5.0) if step == 1.0 or longer / 400.0 >= step * power) * power
-        for element in (0, 1):
-            vtkSMPropertyHelper(proxy, "CellSize").Set(element, size)
 
 
 def _follow_points(proxy):
@@ -190,6 +186,8 @@ def _property_changed(proxy, _event, name):
         _keep_equal(proxy, name)
     else:
         _keep_in_range(proxy, name)
+        if name == "Dimensions":
+            _use_dimensions(proxy)
 
 
 _property_changed.CallDataType = "string0"
@@ -200,6 +198,7 @@ def _observe(proxy):
     proxy._ahd_observed = True
     if proxy.GetXMLName() == RASTER:
         _suggest_raster(proxy)
+        _use_dimensions(proxy)
     old, new = NAMES
     if proxy.GetProperty(old):
         _keep_equal(proxy, old if _value(proxy, old) else new)

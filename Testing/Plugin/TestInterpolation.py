@@ -159,7 +159,7 @@ def test_defaults_are_those_of_the_class():
         # the property's default: some were suggested for the points since
         untouched.SMProxy.GetProperty(name).ResetToXMLDefaults()
         given = servermanager.vtkSMPropertyHelper(untouched.SMProxy, name)
-        told = getattr(fresh, "Get" + name)()
+        told = TABLE["interpolation"]["settings"].get(name, {}).get("panel_default", getattr(fresh, "Get" + name)())
         if name in strings:
             check_equal(given.GetAsString(), told, "default of " + name)
         else:
@@ -222,6 +222,21 @@ def test_a_surface():
     check_equal([p[2] for p in places], heights, "z of the points")
 
 
+def test_places_without_a_value_are_hidden():
+    """A raster of a triangle: cells beside it are not drawn, and not in the range of colours."""
+    points = reader("triangle.vtp", [(0, 0, 1), (4, 0, 2), (0, 4, 3)])
+    raster = AdaptiveHilbertInterpolation2D(Input=points, CellSize=[1, 1])
+    mask, marks = values(raster, "vtkValidPointMask")[0], values(raster, "vtkGhostType")[0]
+    check_equal(marks, [0 if valid else 2 for valid in mask], "hidden points")
+    check_equal(sum(mask), 10, "cells with a value")
+    surface = ExtractSurface(Input=raster)
+    surface.UpdatePipeline()
+    check_equal(surface.GetDataInformation().GetNumberOfCells(), 3, "squares between four centres that are drawn")
+    raster.Outside = "Nearest Vertex"
+    raster.UpdatePipeline()
+    check(not raster.PointData["vtkGhostType"], "places with a value are hidden")
+
+
 def test_settings_of_the_triangulation_have_a_say():
     """A change of them alone runs the filter anew."""
     points = reader("far.vtp", plane_points() + [(9.0, 9.0, -8.0)])
@@ -279,7 +294,7 @@ def test_constraints():
 
 def test_what_is_shown_is_what_is_used():
     shown = {"NumberOfThreads": {5000: 1024}, "MaximumEdgeLength": {-1.0: 0.0}, "CellSize": {(-1.0, 3.0): (0.0, 3.0)},
-             "Dimensions": {(0, 9): (1, 9), (9, -4): (9, 1)}}  # fmt: skip
+             "Dimensions": {(1, 9): (1, 9), (9, -4): (9, 0)}}  # fmt: skip
     for name, pairs in shown.items():
         for given, kept in pairs.items():
             for made in (AdaptiveHilbertInterpolation2D(Input=Sphere(), **{name: given}), proxy):
@@ -290,26 +305,32 @@ def test_what_is_shown_is_what_is_used():
 
 
 def test_a_raster_is_suggested():
-    """Unless set, the area and the cell size are suggested from the points."""
+    """Unless set, the area is suggested from the points."""
     points = reader("plane.vtp", plane_points())
     points.UpdatePipeline()
     raster = AdaptiveHilbertInterpolation2D(Input=points)
     check_equal(list(raster.Bounds), [-2.0, 2.0, -2.0, 2.0], "the area that is suggested")
-    check_equal(list(raster.CellSize), [0.01, 0.01], "the cell size that is suggested")
-    given = AdaptiveHilbertInterpolation2D(Input=points, UseBounds=1, RasterSize="Cell Size")
-    check_equal(list(given.Bounds) + list(given.CellSize), [0, 1, 0, 1, 1, 1], "what is used is not replaced")
+    given = AdaptiveHilbertInterpolation2D(Input=points, UseBounds=1)
+    check_equal(list(given.Bounds), [0, 1, 0, 1], "what is used is not replaced")
 
 
-def test_no_cell_size_is_suggested_for_extents_beyond_all_numbers():
-    """Nor for none: without points no size is suggested."""
-    for size in (1e308, 5e-324, 0.0):
-        points = reader("extent.vtp", [(-size, 0, 0), (size, 0, 0), (0, size, 0)])
-        points.UpdatePipeline()
-        raster = AdaptiveHilbertInterpolation2D(Input=points)
-        check_equal(list(raster.Bounds), [-size, size, 0.0, size], "the area that is suggested for %r" % size)
-        check_equal(list(raster.CellSize), [1.0, 1.0], "the cell size for %r" % size)
-        raster.Dimensions = (0, 9)  # settings made after that work, too
-        check_equal(list(raster.Dimensions), [1, 9], "dimensions, as 0 and 9 were given")
+def test_cells_are_squares_unless_set():
+    """Chosen from the points; in scripts that set their number or size alone, these."""
+    points = reader("tall.vtp", [(x, 3 * y, z) for x, y, z in plane_points()])
+    raster = AdaptiveHilbertInterpolation2D(Input=points)
+    check_equal((raster.RasterSize, cells(raster)), ("Cell Size", (200, 600)), "cells of 0.02")
+    before = AdaptiveHilbertInterpolation2D(Input=points, Dimensions=[7, 9])
+    raster.Dimensions = [7, 9]
+    for made in (before, raster):
+        check_equal((made.RasterSize, cells(made)), ("Dimensions", (7, 9)), "with dimensions")
+    raster.RasterSize = "Cell Size"
+    check_equal(cells(raster), (200, 600), "cells as at first")
+    raster.CellSize = [1, 1]
+    check_equal(cells(raster), (4, 12), "cells of 1")
+    raster.Dimensions = [8, 9]
+    check_equal((raster.RasterSize, cells(raster)), ("Cell Size", (4, 12)), "with both")
+    raster.RasterSize = "Dimensions"
+    check_equal(cells(raster), (8, 9), "with both, by dimensions")
 
 
 def test_circles_are_refused():

@@ -312,6 +312,15 @@ class Columns:
         if not has_scalars and self.values["HeightArrayName"]:
             places.SetActiveAttribute(self.values["HeightArrayName"], attributes.SCALARS)
 
+    def have_value(self, part):
+        """Of some places, has each a number that is not NaN in one of the arrays that were made?"""
+        found = ~numpy.isnan(view(self.columns[0].made)[part])
+        for column in self.columns[1:] if not found.all() else ():
+            if is_whole(self.backend, column.made):
+                return numpy.ones_like(found)
+            found |= ~numpy.isnan(view(column.made)[part]).reshape(len(found), -1).all(axis=1)
+        return found
+
     def heights(self):
         """At the places, written."""
         return self.columns[0].made

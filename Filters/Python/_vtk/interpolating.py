@@ -79,13 +79,14 @@ class Interpolating:
         if self.places is not None:
             self.count = self.places.GetNumberOfPoints()
             return
+        points = self.given.GetNumberOfPoints()
         try:
             if self.wishes["UseBounds"]:
-                self.cells = raster.make_raster_within(self.wishes, self.wishes["Bounds"])
+                self.cells = raster.make_raster_within(self.wishes, self.wishes["Bounds"], points)
             else:
                 self._check_memory_to_find_places()
                 self.cells = raster.make_raster(self.wishes, area_of(
-                    self.backend, self.triangulation, self.values, self.given, self.source, self.surface))
+                    self.backend, self.triangulation, self.values, self.given, self.source, self.surface), points)
         except raster.Fault as fault:
             if fault.kind != raster.NO_AREA:
                 raise
@@ -101,7 +102,8 @@ class Interpolating:
             return
         asked.announce_all()
         columns, rows = self.wishes["Dimensions"]
-        places = -1 if self.wishes["RasterSize"] == 1 else columns * rows
+        is_unknown = self.wishes["RasterSize"] == 1 or raster.is_chosen(self.wishes)
+        places = -1 if is_unknown else columns * rows
         estimate = asked.job.estimate() // 1024
         raise Stopped(raster_messages.of_memory(
             places, asked.expected_points(), estimate, allowed, limit > 0, True), estimate)
@@ -118,7 +120,8 @@ class Interpolating:
         data = self.given.GetPointData()
         columns = Columns(self.backend, self.wishes, data, data, self.given.GetNumberOfPoints())
         if self.places is None:
-            return 25 * self.count * self.wishes["OutputType"] + self._estimate_at(columns, self._raster(), self.count)
+            beside = 25 if self.wishes["OutputType"] else 1
+            return beside * self.count + self._estimate_at(columns, self._raster(), self.count)
         if not self.pieces:
             return self._estimate_of(columns, self.places)
         outputs = [columns.output_bytes(piece.GetNumberOfPoints()) for piece in self.pieces]
@@ -234,6 +237,8 @@ class Interpolating:
             made.SetExtent(0, self.cells.columns - 1, 0, self.cells.rows - 1, 0, 0)
             made.SetOrigin(*self.cells.origin, 0.0)
             made.SetSpacing(*self.cells.spacing, 1.0)
+            if found.counts["sampled_outside"] + found.counts["sampled_without_value"]:
+                self._hide(made, columns, view(mask))
         columns.add_to(made.GetPointData())
         self._add_mask(made.GetPointData(), mask)
         found.wanted = found.surface = None
@@ -284,6 +289,16 @@ class Interpolating:
         made.SetExtent(0, cells.columns - 1, 0, cells.rows - 1, 0, 0)
         made.SetPoints(points)
         made.GetPointData().AddArray(hidden)
+
+    def _hide(self, made, columns, mask):
+        """Marks the points of an image where neither the height nor an array has a value."""
+        hidden, write = new_array(self.backend.vtkUnsignedCharArray, self.count, 1, GHOSTS)
+        fills = self.wishes["Outside"] and self.wishes["Method"] != NEAREST
+        for part in blocks_of(self.count):
+            shown = ((mask[part] == 1) | bool(fills)) & columns.have_value(part)
+            write[part] = numpy.where(shown, 0, HIDDENPOINT)
+        if write.any():
+            made.GetPointData().AddArray(hidden)
 
     def _add_mask(self, data, mask):
         name = self.wishes["ValidPointMaskArrayName"]

@@ -198,10 +198,10 @@ class _Executions:
         if not is_raster:
             return
         if self._values["UseBounds"]:
-            cells = raster.make_raster_within(self._values, self._values["Bounds"])
+            cells = raster.make_raster_within(self._values, self._values["Bounds"], given.GetNumberOfPoints())
         else:
             area = area_of(vtk, self._triangulation, values, given, merged.source, surface)
-            cells = raster.make_raster(self._values, area)
+            cells = raster.make_raster(self._values, area, given.GetNumberOfPoints())
         # Filters for images behind may make room for one as large before the data are there.
         if 9 * cells.count() <= (values["MemoryLimit"] * 1024 or engine.available_memory()):
             self._announce(cells, info)

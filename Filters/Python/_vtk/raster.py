@@ -5,7 +5,7 @@ import math
 
 import numpy
 
-from .._raster import MOST, axes_by_count, axes_by_size
+from .._raster import MOST, axes_by_count, axes_by_size, chosen_size
 
 # Why there is no raster.
 NO_AREA, CELL_SIZE, BOUNDS, TOO_MANY = "no_area", "cell_size", "bounds", "too_many"
@@ -42,15 +42,22 @@ class Raster:
 NONE = Raster((0.0, 0.0), (1.0, 1.0), 0, 0)
 
 
-def make_raster(values, area):
-    """Of this area, (xmin, xmax, ymin, ymax) or None, with settings of the filter. Fault."""
-    by_size, sizes = values["RasterSize"] == 1, values["CellSize"]
-    if by_size and not all(0.0 < size < math.inf for size in sizes):
+def is_chosen(values):
+    """Is the size of the cells chosen from the points?"""
+    return not any(values["CellSize"]) if values["RasterSize"] == 1 else not all(values["Dimensions"])
+
+
+def make_raster(values, area, points):
+    """Of this area, (xmin, xmax, ymin, ymax) or None, with settings of the filter. `points`: how many the input has.
+    Fault."""
+    by_size, chosen, sizes = values["RasterSize"] == 1, is_chosen(values), values["CellSize"]
+    if by_size and not chosen and not all(0.0 < size < math.inf for size in sizes):
         raise Fault(CELL_SIZE)
     if area is None:
         raise Fault(NO_AREA)
-    if by_size:
-        x, y = axes_by_size(area, sizes, values["AlignToCellSize"])
+    if by_size or chosen:
+        sizes = (chosen_size(area, points),) * 2 if chosen else sizes
+        x, y = axes_by_size(area, sizes, by_size and values["AlignToCellSize"])
     else:
         x, y = axes_by_count(area, values["Dimensions"])
     if not (x.count <= MOST and y.count <= MOST):
@@ -62,11 +69,11 @@ def make_raster(values, area):
     return Raster((x.origin, y.origin), (x.spacing, y.spacing), int(x.count), int(y.count))
 
 
-def make_raster_within(values, bounds):
+def make_raster_within(values, bounds, points):
     """The same for an area that was asked for."""
     if not all(map(math.isfinite, bounds)) or not (bounds[0] < bounds[1] and bounds[2] < bounds[3]):
         raise Fault(BOUNDS)
-    return make_raster(values, bounds)
+    return make_raster(values, bounds, points)
 
 
 def box_of(xy, skipped=None):

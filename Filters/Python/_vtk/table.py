@@ -522,18 +522,22 @@ INTERPOLATION = (
      0, 3, ('Linear', 'NaturalNeighbor', 'Laplace', 'Nearest')),
     ("RasterSize", "enum", 0,
      'How the number of cells of the raster is set. Dimensions: by their number along x and y. Cell Size: by the '
-     'width and height of a cell. Default: BY_DIMENSIONS.',
+     'width and height of a cell. Default: BY_CELL_SIZE in ParaView, BY_DIMENSIONS in VTK. Where the numbers of '
+     'that are 0, the cells are squares, chosen from the points: as many as there are points in the input, but '
+     'at least 65536, and at most 4096 along a side; their size is rounded to 1, 2 or 5 times a power of ten.',
      0, 1, ('ByDimensions', 'ByCellSize')),
     ("Dimensions", "int", (256, 256),
-     'The number of cells along x and y; they fill the area of the raster. Default 256, 256, at least 1.',
-     1, 2147483647, ()),
+     'The number of cells along x and y; they fill the area of the raster. 0: square cells, chosen from the '
+     'points. Default 0, 0 in ParaView, 256, 256 in VTK, at least 0.',
+     0, 2147483647, ()),
     ("CellSize", "double", (1.0, 1.0),
-     'The width and height of a cell, greater than 0, in the units of the points: metres for projected points, '
-     'degrees if x and y are longitude and latitude. The raster begins at the lower bounds and covers all '
-     'points; one that needs more memory than available is refused with an error that says how much. Default 1, '
-     '1. A size that is not positive and finite is an error of the execution. The raster has as many cells as '
-     'cover the area, at least one. Whether the last one is needed is decided on the numbers as written in '
-     'decimal (15 digits): 100 cells of 0.1 cover 0 to 10.',
+     'The width and height of a cell in the units of the points: metres for projected points, degrees if x and y '
+     'are longitude and latitude. Both 0: square cells, chosen from the points: about as many, and at least '
+     '65536, the size 1, 2 or 5 times a power of ten. The raster begins at the lower bounds and covers all '
+     'points; one that needs more memory than available is refused with an error that says how much. Default 0, '
+     '0 in ParaView, 1, 1 in VTK. Other sizes that are not positive and finite are an error of the execution. '
+     'The raster has as many cells as cover the area, at least one. Whether the last one is needed is decided on '
+     'the numbers as written in decimal (15 digits): 100 cells of 0.1 cover 0 to 10.',
      None, None, ()),
     ("AlignToCellSize", "bool", False,
      'Align the borders between cells with multiples of the cell size, so that the cells of neighbouring tiles '
@@ -553,8 +557,10 @@ INTERPOLATION = (
      None, None, ()),
     ("OutputType", "enum", 0,
      'The type of the raster. Image: an image in the plane z = 0 with the heights as an array, small and fast, '
-     'for GIS and for calculations. Surface: a grid of points at their heights, to show terrain; points without '
-     'a value are hidden. Default: IMAGE.',
+     'for GIS and for calculations. Surface: a grid of points at their heights, to show terrain. Points without '
+     'a value are hidden. Default: IMAGE. Points are hidden by vtkGhostType (HIDDENPOINT). An image has this '
+     'array only where there is such a point: one without a value in any array. In a surface those outside and '
+     'those without a finite height are hidden.',
      0, 1, ('Image', 'Surface')),
     ("Outside", "enum", 0,
      'The values at places outside the surface. No Value: NaN in floating-point arrays, 0 in others. Nearest '

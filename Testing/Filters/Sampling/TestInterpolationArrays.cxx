@@ -157,11 +157,99 @@ TEST(InterpolationArrays, ArraysWithTheNamesOfGradients)
     EXPECT_NE(filter.Said->Warnings[0].find("not interpolated: TGradient. See"), std::string::npos);
     // that of TGradient is not made, as TGradient is not interpolated
     vtkPointData* const data = filter->GetOutput()->GetPointData();
-    ASSERT_EQ(data->GetNumberOfArrays(), 7);
+    ASSERT_EQ(data->GetNumberOfArrays(), 8); // vtkGhostType, too
     EXPECT_EQ(data->GetArray("TGradient")->GetNumberOfComponents(), 2);
     EXPECT_EQ(data->GetArray("TGradientGradient")->GetNumberOfComponents(), 1);
     EXPECT_EQ(data->GetArray("TGradientGradientGradient")->GetNumberOfComponents(), 2);
   }
+}
+
+/// A grid of 5 x 5 points without a corner, with height and array NaN where the functions say so.
+vtkSmartPointer<vtkPolyData> grid(
+  const std::function<bool(int)>& noHeight, const std::function<bool(int)>& noNumber)
+{
+  std::vector<Xyz> points;
+  std::vector<double> numbers;
+  for (int i = 1; i < 25; ++i)
+  {
+    points.push_back({ double(i % 5), double(i / 5), noHeight(i) ? kNaN : double(i) });
+    numbers.push_back(noNumber(i) ? kNaN : 1.0);
+  }
+  auto cloud = makeCloud(points);
+  addArray<vtkFloatArray>(cloud, "number", [&](vtkIdType i) { return numbers[std::size_t(i)]; });
+  return cloud;
+}
+
+bool never(int)
+{
+  return false;
+}
+
+/// Places of the image, 5 x 5, by their points; empty if there are no marks.
+std::vector<int> hiddenOf(WatchedInterpolation& filter, vtkPolyData* cloud)
+{
+  filter->SetInputData(cloud);
+  filter->SetDimensions(5, 5);
+  filter->UseBoundsOn();
+  filter->SetBounds(-0.5, 4.5, -0.5, 4.5);
+  filter->Update();
+  std::vector<int> hidden;
+  const std::vector<double> marks = numbersOf(filter->GetOutput(), "vtkGhostType");
+  for (std::size_t i = 0; i < marks.size(); ++i)
+  {
+    EXPECT_TRUE(marks[i] == 0 || marks[i] == vtkDataSetAttributes::HIDDENPOINT) << i;
+    if (marks[i] != 0)
+    {
+      hidden.push_back(int(i));
+    }
+  }
+  EXPECT_EQ(marks.empty(), hidden.empty()) << "marks that hide nothing";
+  EXPECT_FALSE(arrayOf(filter->GetOutput(), "vtkValidPointMask") == nullptr);
+  return hidden;
+}
+
+const std::vector<int> kNone, kCorner = { 0 };
+
+TEST(HiddenPoints, ThoseOfAnImageAreOutside)
+{
+  WatchedInterpolation filter;
+  auto cloud = grid(never, never);
+  addArray<vtkUnsignedCharArray>(
+    cloud, vtkDataSetAttributes::GhostArrayName(), [](vtkIdType) { return 0.0; });
+  EXPECT_EQ(hiddenOf(filter, cloud), kCorner);
+  auto* image = vtkImageData::SafeDownCast(filter->GetOutput());
+  EXPECT_FALSE(image->IsPointVisible(0));
+  EXPECT_FALSE(image->IsCellVisible(0)) << "its cells are hidden, too";
+  EXPECT_TRUE(image->IsCellVisible(1));
+  filter->SetOutsideToNearestVertex();
+  EXPECT_EQ(hiddenOf(filter, cloud), kNone) << "filled";
+  filter->SetOutsideToNoValue();
+  filter->SetNoValue(-9999);
+  EXPECT_EQ(hiddenOf(filter, cloud), kCorner) << "the number is no value";
+  filter->SetMethodToNearest();
+  EXPECT_EQ(hiddenOf(filter, cloud), kNone);
+}
+
+TEST(HiddenPoints, ThoseOfAnImageHaveNoValueInAnyArray)
+{
+  const auto upper = [](int i) { return i >= 20; };
+  const auto right = [](int i) { return i % 5 == 4; };
+  const std::vector<int> both = { 0, 24 };
+  for (const int method : { 0, 3 })
+  {
+    const std::vector<int> found = method == 0 ? both : std::vector<int>{ 24 };
+    WatchedInterpolation filter;
+    filter->SetMethod(method);
+    EXPECT_EQ(hiddenOf(filter, grid(upper, right)), found);
+    filter->SetHeightArrayName("");
+    EXPECT_EQ(hiddenOf(filter, grid(upper, right)), found);
+    filter->SetNoValue(7);
+    EXPECT_EQ(hiddenOf(filter, grid(upper, right)), method == 0 ? kCorner : kNone);
+  }
+  WatchedInterpolation filled; // from nowhere
+  filled->SetOutsideToNearestVertex();
+  const auto always = [](int) { return true; };
+  EXPECT_EQ(hiddenOf(filled, grid(always, always)).size(), 25u);
 }
 
 } // namespace

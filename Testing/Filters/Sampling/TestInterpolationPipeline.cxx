@@ -83,7 +83,7 @@ TEST(InterpolationPipeline, FiltersBehindSurviveErrors)
   EXPECT_EQ(filter.Said->Errors.size(), 2u);
   filter->GetTriangulation()->SetMemoryLimit(0);
   filter->SetRasterSizeToByCellSize();
-  filter->SetCellSize(0, 0);
+  filter->SetCellSize(0, 1);
   behind->Update();
   EXPECT_EQ(filter.Said->Errors.size(), 3u);
   EXPECT_TRUE(behind->HadAll);
@@ -228,9 +228,9 @@ TEST(InterpolationPipeline, SettingsAreKeptClampedAndPrinted)
   filter->SetMethod(99);
   EXPECT_EQ(filter->GetMethod(), Filter::NEAREST);
   EXPECT_TRUE(changed());
-  filter->SetDimensions(0, -5);
+  filter->SetDimensions(1, -5);
   EXPECT_EQ(filter->GetDimensions()[0], 1);
-  EXPECT_EQ(filter->GetDimensions()[1], 1);
+  EXPECT_EQ(filter->GetDimensions()[1], 0);
   EXPECT_TRUE(changed());
   filter->SetNoValue(kNaN); // as it is
   filter->SetHeightArrayName("Elevation");

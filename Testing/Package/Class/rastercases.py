@@ -99,6 +99,11 @@ def cells_of_a_size():
 
 
 @case
+def chosen_cells():
+    return full(), {"RasterSize": 1, "CellSize": (0.0, 0.0), "AlignToCellSize": True, "Method": 3}
+
+
+@case
 def cells_on_multiples():
     return full(), {"RasterSize": 1, "CellSize": (90.0, 110.5), "AlignToCellSize": True}
 
@@ -131,6 +136,11 @@ def nowhere_on_the_surface():
 @case
 def values_that_are_nan():
     return holey(), dict(SMALL, OutputType=1)
+
+
+@case
+def heights_that_are_nan():
+    return cloud([(x, y, NAN if x > 2 else x) for x in range(5) for y in range(3)]), dict(SMALL, Outside=1)
 
 
 @case

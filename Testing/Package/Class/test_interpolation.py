@@ -372,7 +372,7 @@ class InterpolationTest(Case):
         algorithm.SetInputConnection(points.GetOutputPort())
         algorithm.SetRasterSizeToByCellSize()
         algorithm.SetCellSize(0.05, 0.05)
-        algorithm.GetTriangulation().SetMemoryLimit(2500)
+        algorithm.GetTriangulation().SetMemoryLimit(2700)
         for time, cells in ((1.0, 200), (3.0, 0), (1.0, 200), (2.0, 400), (3.0, 0), (2.0, 400)):
             after.UpdateTimeStep(time)
             self.assertEqual(algorithm.GetOutput().GetDimensions()[:2], (cells, cells), time)
