@@ -9,22 +9,31 @@ Menus, panel, help texts and ports are those of the compiled plugin, of whose XM
 the two plugins, not both.
 """
 
+import functools
 import importlib
 import importlib.util
 import os
 import sys
 import weakref
 
+import numpy
 from paraview.modules.vtkRemotingServerManager import vtkSMProxyManager
 from paraview.util.vtkAlgorithm import VTKPythonAlgorithmBase, smproperty, smproxy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData, vtkStructuredGrid
+from vtkmodules.vtkCommonDataModel import (
+    vtkDataObject,
+    vtkDataSetAttributes,
+    vtkImageData,
+    vtkPolyData,
+    vtkStructuredGrid,
+)
 from vtkmodules.vtkCommonExecutionModel import (
     vtkAlgorithm,
     vtkStreamingDemandDrivenPipeline,
     vtkTrivialProducer,
 )
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 # Replaced by that file: a plugin in Python is one.
 from plugin_client import (
@@ -276,6 +285,57 @@ class _Raster(_Driver):
         return 1
 
 
+class _GeoTIFF(VTKPythonAlgorithmBase):
+    """The writer, as vtkPlanarGeoTIFFWriter."""
+
+    def __init__(self):
+        super().__init__(nInputPorts=1, nOutputPorts=0, inputType="vtkImageData")
+        self._settings = {"FileName": "", "ArrayName": "", "EPSG": 0, "NoDataValue": -9999.0}
+
+    def __getattr__(self, name):
+        settings = self.__dict__.get("_settings", {})
+        if name[:3] not in ("Set", "Get") or name[3:] not in settings:
+            raise AttributeError(name)
+        return functools.partial(self._set, name[3:]) if name.startswith("Set") else lambda: settings[name[3:]]
+
+    def _set(self, name, value):
+        self._settings[name] = min(max(value, 0), 65535) if name == "EPSG" else value
+        self.Modified()
+
+    def Write(self):
+        self.Modified()
+        self.UpdateWholeExtent()
+
+    def RequestData(self, request, inInfo, outInfo):
+        try:
+            self._write(vtkImageData.GetData(inInfo[0]))
+        except (OSError, ValueError, MemoryError) as error:
+            vtkOutputWindow.GetInstance().DisplayErrorText("%s: %s\n" % (type(self).__name__, error))
+        return 1
+
+    def _write(self, image):
+        settings, data = self._settings, image.GetPointData()
+        if not image.GetNumberOfPoints() or image.GetDimensions()[2] != 1 or (
+            not image.GetDirectionMatrix().IsIdentity() or min(image.GetSpacing()[:2]) <= 0
+        ):
+            raise ValueError("The input is not an image of one layer in x and y. No file was written.")
+        array = data.GetArray(settings["ArrayName"] or "Elevation")
+        if array is None and not settings["ArrayName"]:
+            array = data.GetScalars()
+        if array is None or array.GetNumberOfComponents() != 1:
+            raise ValueError("There is no point array of one component that ArrayName names. No file was written.")
+        found, marks = vtk_to_numpy(array), data.GetArray(vtkDataSetAttributes.GhostArrayName())
+        values = found if found.dtype == "float32" else found.astype("float64")
+        if marks is not None:
+            hidden = vtk_to_numpy(marks) & vtkDataSetAttributes.HIDDENPOINT
+            values = numpy.where(hidden, values.dtype.type("nan"), values)
+        extent, spacing = image.GetExtent(), image.GetSpacing()
+        origin = [image.GetOrigin()[k] + extent[2 * k] * spacing[k] for k in (0, 1)]
+        geotiff = importlib.import_module(_import_package().__name__ + "._geotiff")
+        geotiff.write(settings["FileName"], values.reshape(image.GetDimensions()[1::-1]), origin, spacing[:2],
+                      settings["EPSG"], settings["NoDataValue"])  # fmt: skip
+
+
 def _call_weakly(target, method):
     """An observer that calls a method of the target as long as there is the target, and does not keep it."""
     weak = weakref.ref(target)
@@ -309,6 +369,12 @@ def _declare(works, group, tag, attributes, inside):
     vtk_class = "vtkAdaptiveHilbertDelaunay2D" if has_one else vtk_class
     if group == "transforms":
         globals()[name] = _OfParaView(group, tag, attributes, inside)
+    elif works and group == "writers":
+        made = type(name, (_GeoTIFF,), {"__module__": __name__})
+        known = {key: value for key, value in attributes.items() if key != "class"}
+        smproperty.xml(inside)(made)
+        smproxy.source(type=tag, group=group, support_reload=False, **known)(made)
+        globals()[name] = made
     elif works and (_data_are_elsewhere() or _has(vtk_class)):
         base = _Raster if name == RASTER else _OneOutput if has_one else _Driver
         made = type(name, (base,), {"vtk_class": vtk_class, "__module__": __name__})
