@@ -18,6 +18,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import numpy
 
 import conversion
+import nodata
 import pointfiles
 import raster
 import results as written
@@ -42,6 +43,7 @@ def parse_arguments(words):
     parser.add_argument("--own-output", action="store_true")  # nobody else writes into that folder
     parser.add_argument("--exaggeration", type=float, metavar="FACTOR")
     parser.add_argument("--edges", action="store_true")
+    parser.add_argument("--nodata", type=float, metavar="NUMBER")
     raster.add_options(parser)
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--plugin", metavar="FILE")
@@ -76,6 +78,8 @@ def check_file(chosen):
         raise InputError("%s: unknown kind of file; known are %s" % (chosen.file, " ".join(known)))
     if any(chosen.columns) and ending not in pointfiles.TABLES:
         raise InputError("columns can be chosen in tables only (%s)" % " ".join(pointfiles.TABLES))
+    if chosen.nodata is not None and ending in VTK_FILES:
+        raise InputError("--nodata is for tables and lidar only (%s)" % " ".join(pointfiles.TABLES + pointfiles.LAS))
 
 
 def stem(chosen):
@@ -239,13 +243,15 @@ def read(chosen):
         points = read_laz(chosen.file)
     else:
         points = pointfiles.read_points(chosen.file, chosen.columns)
+    points = nodata.without(points, chosen.nodata) if chosen.nodata is not None else points
     return make_source(points), points
 
 
 def run(chosen):
     print("Reading %s" % chosen.file, flush=True)
     source, points = read(chosen)
-    for note in points.notes + (raster.check_unit(points, chosen.raster) if chosen.raster else []):
+    few = raster.check_unit(points, chosen.raster) if chosen.raster else []
+    for note in points.notes + nodata.notes(points) + few:
         print("  " + note)
     print("Triangulating", flush=True)
     proxy, surface, measures = triangulate(source, chosen.plugin)

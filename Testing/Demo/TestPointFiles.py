@@ -11,6 +11,7 @@ import numpy
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Plugin", "Demo"))
 
+import nodata
 import pointfiles
 from pointfiles import InputError, read_points
 
@@ -284,6 +285,28 @@ def las(point_format=0, version=(1, 2), count=None, extra=0, points=POINTS, lega
         struct.pack_into("<Q", header, 247, count)
     records = b"".join(struct.pack("<3i", *point) + b"\xaa" * (length - 12) for point in points)
     return bytes(header) + records
+
+
+class NoData(FileTest):
+    def points(self, *heights):
+        return self.read("x,y,depth\n" + "".join("%d,%d,%r\n" % (i, i * i, z) for i, z in enumerate(heights)))
+
+    def test_a_number_that_repeats_and_lies_far_off_is_said(self):
+        for number in (-9999, -32768.0, 1e20):
+            (said,) = nodata.notes(self.points(1, 2, 3.5, number, number, number))
+            self.assertIn("3 points have a depth of %g" % number, said)
+            self.assertIn("--nodata %g" % number, said)
+        for heights in ((1, 2, 3, -9999, -9999), (1, 2, 9, -4, -4, -4), (5, 5, 5, 7, 7, 7), (0, 0, 0)):
+            self.assertEqual(nodata.notes(self.points(*heights)), [], heights)
+
+    def test_points_that_have_it_are_left_out(self):
+        given = self.points(1, -9999, 2, -9999, -9998)
+        left = nodata.without(given, -9999.0)
+        self.assertEqual(left.xyz[:, 2].tolist(), [1, 2, -9998])
+        self.assertEqual(left.notes[:-1], given.notes)
+        self.assertIn("2 points left out, as their depth is -9999", left.notes[-1])
+        with self.assertRaisesRegex(InputError, "no point has another depth"):
+            nodata.without(self.points(7, 7), 7.0)
 
 
 class Las(FileTest):

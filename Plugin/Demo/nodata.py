@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A number that stands for no value of z, such as -9999: points that have it are left out, or noticed."""
+
+import numpy
+
+from pointfiles import InputError, thousands
+
+FEWEST = 3  # points of one z that make it look so
+
+
+def without(points, number):
+    """The points whose z is another number. InputError if there is none."""
+    has = points.xyz[:, 2] == number
+    if has.all():
+        raise InputError("--nodata %g: no point has another %s" % (number, points.names[2]))
+    told = "%s points left out, as their %s is %g" % (thousands(int(has.sum())), points.names[2], number)
+    return points._replace(xyz=points.xyz[~has], notes=points.notes + [told])
+
+
+def notes(points):
+    """What to tell of a z that several points have, and that is farther from all others than these lie apart."""
+    z = points.xyz[:, 2]
+    levels, counts = numpy.unique(z[numpy.isfinite(z)], return_counts=True)
+    if len(levels) < 3:
+        return []
+    for odd, (low, high) in ((0, levels[[1, -1]]), (-1, levels[[0, -2]])):
+        away = max(low - levels[odd], levels[odd] - high)
+        if counts[odd] >= FEWEST and away > high - low:
+            return ["%s points have a %s of %g, far from all others; --nodata %g leaves them out" % (
+                thousands(int(counts[odd])), points.names[2], levels[odd], levels[odd])]  # fmt: skip
+    return []
