@@ -31,6 +31,11 @@ void vtkAdaptiveHilbertAlgorithm::SetTolerance(double value)
   vtkAHDSetClamped(this, this->Tolerance, value, 0.0, 1.0);
 }
 
+void vtkAdaptiveHilbertAlgorithm::SetVoronoiPolygon(const std::string& name)
+{
+  vtkAHDSetAny(this, this->VoronoiPolygon, name);
+}
+
 void vtkAdaptiveHilbertAlgorithm::SetOffset(double value)
 {
   vtkAHDSetClamped(this, this->Offset, value, 0.75, VTK_DOUBLE_MAX);
@@ -269,6 +274,7 @@ void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateNeighbors: " << (this->GenerateNeighbors ? "On\n" : "Off\n");
   os << indent << "GenerateVoronoi: " << (this->GenerateVoronoi ? "On\n" : "Off\n");
   os << indent << "VoronoiClip: " << this->VoronoiClip << "\n";
+  os << indent << "VoronoiPolygon: " << this->VoronoiPolygon << "\n";
   os << indent << "InsertionOrder: " << this->InsertionOrder << "\n";
   os << indent << "Nmax: " << this->Nmax << "\n";
   os << indent << "ControlPoints: " << this->ControlPoints << "\n";

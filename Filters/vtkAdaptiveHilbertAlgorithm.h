@@ -128,7 +128,9 @@ public:
     /// the convex hull of the points
     CLIP_TO_HULL = 0,
     /// the bounding box of the points
-    CLIP_TO_BOUNDS = 1
+    CLIP_TO_BOUNDS = 1,
+    /// VoronoiPolygon
+    CLIP_TO_POLYGON = 2
   };
 
   /// The values of InsertionOrder.
@@ -393,13 +395,26 @@ public:
   ///@}
 
   ///@{
-  /// Where the outer polygons of the Voronoi diagram, which are unbounded, are clipped. Hull: at
-  /// the convex hull of the points. Bounds: at their bounding box. Default: CLIP_TO_HULL.
-  /// Both are those of the vertices, in the plane of the triangulation.
-  vtkSetClampMacro(VoronoiClip, int, CLIP_TO_HULL, CLIP_TO_BOUNDS);
+  /// Where the polygons of the Voronoi diagram, of which the outer ones are unbounded, are clipped.
+  /// Hull: at the convex hull of the points. Bounds: at their bounding box. Polygon: at Voronoi
+  /// Polygon. Default: CLIP_TO_HULL.
+  /// Hull and bounds are those of the vertices, in the plane of the triangulation.
+  vtkSetClampMacro(VoronoiClip, int, CLIP_TO_HULL, CLIP_TO_POLYGON);
   vtkGetMacro(VoronoiClip, int);
   void SetVoronoiClipToHull() { this->SetVoronoiClip(CLIP_TO_HULL); }
   void SetVoronoiClipToBounds() { this->SetVoronoiClip(CLIP_TO_BOUNDS); }
+  void SetVoronoiClipToPolygon() { this->SetVoronoiClip(CLIP_TO_POLYGON); }
+  ///@}
+
+  ///@{
+  /// Two opposite corners of a box, or the corners of a convex polygon in their order: x y, x y,
+  /// ... in the plane of the triangulation. The Voronoi polygon of each vertex is the part of it
+  /// that is nearer to that vertex than to any other, however few or collinear the vertices are;
+  /// vertices without a part have none. Used if Voronoi Clip is Polygon. Default "".
+  /// Numbers are separated by blanks, commas or semicolons. Corners that are no convex polygon are
+  /// an error of the execution.
+  virtual void SetVoronoiPolygon(const std::string& name);
+  virtual std::string GetVoronoiPolygon() { return this->VoronoiPolygon; }
   ///@}
 
   ///@{
@@ -798,6 +813,7 @@ protected:
   bool GenerateNeighbors = false;
   bool GenerateVoronoi = false;
   int VoronoiClip = CLIP_TO_HULL;
+  std::string VoronoiPolygon = "";
   int InsertionOrder = ADAPTIVE_HILBERT;
   int Nmax = 50;
   int ControlPoints = EVERY_LEVEL;

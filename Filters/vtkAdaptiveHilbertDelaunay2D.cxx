@@ -37,8 +37,41 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <locale>
 #include <new>
+#include <sstream>
+#include <string>
 #include <utility>
+#include <vector>
+
+namespace
+{
+/// NaN if it is none.
+double ReadNumber(const std::string& word)
+{
+  std::istringstream stream(word);
+  stream.imbue(std::locale::classic());
+  double number = 0.0;
+  const bool isRead = stream >> number && stream.eof();
+  return isRead ? number : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The pairs of numbers in VoronoiPolygon; NaN for what is none.
+std::vector<ahd::Point> ReadCorners(std::string text)
+{
+  const auto isMark = [](char c) { return c == ',' || c == ';'; };
+  std::replace_if(text.begin(), text.end(), isMark, ' ');
+  std::istringstream words(text);
+  std::vector<ahd::Point> corners;
+  for (std::string x, y; words >> x; y.clear())
+  {
+    words >> y;
+    corners.push_back({ ReadNumber(x), ReadNumber(y) });
+  }
+  return corners;
+}
+}
 
 vtkStandardNewMacro(vtkAdaptiveHilbertDelaunay2D);
 vtkCxxSetObjectMacro(vtkAdaptiveHilbertDelaunay2D, Transform, vtkAbstractTransform);
@@ -293,6 +326,10 @@ void vtkAdaptiveHilbertDelaunay2D::ReadSettings(
     job.leaveToSurface();
   }
   static_cast<ahd::RunSettings&>(settings) = job.run();
+  if (settings.clipsAtPolygon())
+  {
+    settings.voronoiPolygon = ReadCorners(this->VoronoiPolygon);
+  }
   settings.AddSourcePoints = !settings.idsAreOfInput;
   settings.heightsFromSurface = settings.AddSourcePoints && this->SourceHeights == FROM_SURFACE;
   const bool fits = this->ProjectionPlaneMode == VTK_BEST_FITTING_PLANE;

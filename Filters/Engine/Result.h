@@ -18,7 +18,8 @@ enum class Status
   TooManyBoxes,  ///< more than Options::mostBoxes
   TooManyCrossings, ///< more than InputRequest::mostCrossings
   OutOfMemory,      ///< an allocation failed
-  BadCells          ///< offsets of cells do not ascend within their ids (findBadCell())
+  BadCells,         ///< offsets of cells do not ascend within their ids (findBadCell())
+  BadPolygon        ///< the one to clip Voronoi cells at has a PolygonFault
 };
 
 /// The status of a point, as Triangulation::writePointStatus writes it: its own id if it stands for

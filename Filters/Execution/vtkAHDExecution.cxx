@@ -68,7 +68,7 @@ bool vtkAHDExecution::FitsInMemory(ahd::Run& run)
   {
     outputs.Release(); // arrays may be smaller than the memory that they find
   }
-  return run.checkMemory(limit, outputs.GetBytes() + this->BytesBefore) == ahd::Status::Ok;
+  return run.check(limit, outputs.GetBytes() + this->BytesBefore) == ahd::Status::Ok;
 }
 
 /// Memory for as many corners as there are without a border, and a few more. Where that is not

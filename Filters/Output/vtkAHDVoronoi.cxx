@@ -86,6 +86,7 @@ void vtkAHDVoronoi::Write(ahd::VoronoiCells&& cells, vtkPolyData* surface, vtkPo
   const vtkAHDContext& context)
 {
   ahd::VoronoiCells used = std::move(cells);
+  ahd::leaveOutEmpty(used);
   vtkNew<vtkPoints> points;
   static_assert(sizeof(ahd::VoronoiCorner) == 3 * sizeof(double), "corners are VTK's points");
   points->SetData(TakeArray<vtkDoubleArray>(used.points, context, 3));

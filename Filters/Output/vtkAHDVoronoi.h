@@ -11,9 +11,9 @@ class vtkAbstractTransform;
 class vtkPolyData;
 
 /**
- * The Voronoi diagram as a vtkPolyData: one polygon per vertex, in ascending order of the smallest
- * id at its place; cell data are the point data of the vertices and "OriginalPointIds"
- * (vtkIdTypeArray).
+ * The Voronoi diagram as a vtkPolyData: one polygon per vertex with a cell that is not empty (VTK's
+ * filters crash on polygons without corners), in ascending order of the smallest id at its place;
+ * cell data are the point data of the vertices and "OriginalPointIds" (vtkIdTypeArray).
  */
 namespace vtkAHDVoronoi
 {

@@ -8,7 +8,7 @@ from typing import Any, Callable, Literal, Optional, Sequence, Union
 
 import numpy as np
 
-from ._input import Plane
+from ._input import Corners, Plane
 from ._keywords import Wanted
 from ._library import release_memory
 from ._names import by_any_name
@@ -42,7 +42,7 @@ def delaunay(
     rim: Literal["automatic", "convex_hull", "trimmed"] = "automatic",
     tolerance: float = 0.0,
     duplicates: Literal["first", "lowest_z", "highest_z", "mean_z"] = "first",
-    voronoi_clip: Literal["hull", "bounds"] = "hull",
+    voronoi_clip: Union[Literal["hull", "bounds"], Corners] = "hull",
     insertion_order: Literal["adaptive_hilbert", "multi_grid", "regular_grid", "as_given"] = "adaptive_hilbert",
     nmax: int = 50,
     control_points: Literal["off", "single_level", "every_level"] = "every_level",
@@ -124,8 +124,9 @@ def delaunay(
     duplicates : {'first', 'lowest_z', 'highest_z', 'mean_z'}, default 'first'
         Which of several points at one place is the vertex: the one with the smallest id; with the lowest or highest
         finite z; with the smallest id, moved to the mean of all with a finite z.
-    voronoi_clip : {'hull', 'bounds'}, default 'hull'
-        Clip the outer Voronoi cells at the convex hull of the points, or at their bounding box in the plane.
+    voronoi_clip : {'hull', 'bounds'} or (n, 2) array, default 'hull'
+        Clip the Voronoi cells at the convex hull of the points; at their bounding box in the plane; or at a convex
+        polygon of these corners there, of two at the box between them.
     insertion_order : {'adaptive_hilbert', 'multi_grid', 'regular_grid', 'as_given'}, default 'adaptive_hilbert'
         The order of insertion. This and the next three change the time, never the triangles.
     nmax : int, 1 or more, default 50

@@ -13,12 +13,13 @@ from . import _library as library
 from ._held import anchor
 from ._keywords import KEYWORDS
 from ._names import value_of
-from ._raster import has_mask, table_of
+from ._raster import has_mask, real_numbers, table_of
 
 Plane = Union[
     Literal["xy", "automatic", "best_fit"], np.ndarray, Sequence[Sequence[float]],
     Callable[[np.ndarray], Optional[np.ndarray]],
 ]  # fmt: skip
+Corners = Union[np.ndarray, Sequence[Sequence[float]]]  # of a polygon
 Chains = Tuple[np.ndarray, Optional[np.ndarray]]  # ids, and where each chain begins if they are one list
 Fingerprint = Dict[str, Tuple[int, int]]  # of each array that the caller can change
 
@@ -157,6 +158,24 @@ def skip_of(given: Any, count: int) -> np.ndarray:
     raise TypeError("skip must be of type bool or uint8, not %s" % marks.dtype)
 
 
+def polygon_of(name: str, given: Any) -> np.ndarray:
+    """(n, 2) float64, a copy: corners at which Voronoi cells can be clipped. TypeError, ValueError."""
+    corners = np.array(real_numbers(name, given))
+    if corners.ndim != 2 or corners.shape[1] != 2:
+        raise ValueError(_refused(name, given, "%s or corners, of shape (n, 2); of a box two" % (
+            ", ".join(map(repr, CHOICES["voronoi_clip"])))))  # fmt: skip
+    job = library.take_job()
+    try:
+        job.set(voronoi_clip=library.CLIP_POLYGON, want_voronoi=1)
+        job.set_array("voronoi_polygon", corners)
+        job.run()
+    except library.BadInput as error:
+        raise ValueError(str(error).replace('"voronoi_polygon"', name)) from None
+    finally:
+        library.give_back(job)
+    return corners
+
+
 _CHAINS = "a chain of ids of points, rows of an array, or a sequence of chains"
 
 
@@ -275,8 +294,12 @@ class Request:
         plane: Plane,
         settings: Mapping[str, Any],
     ) -> None:
-        self.settings = settings_of(settings)
+        clip = settings.get("voronoi_clip", "hull")
         self.arrays: Dict[str, np.ndarray] = {}
+        self.settings = settings_of(settings if isinstance(clip, str) else {**settings, "voronoi_clip": "hull"})
+        if not isinstance(clip, str):
+            self.arrays["voronoi_polygon"] = polygon_of("voronoi_clip", clip)
+            self.settings["voronoi_clip"] = library.CLIP_POLYGON
         self._shared: Dict[str, Any] = {}  # those in memory of the caller's: what keeps it where it is
         self._described: Dict[str, library.Array] = {}  # how they lie in memory
         self.projection: Optional[Callable[[np.ndarray], None]] = None

@@ -12,7 +12,7 @@ import pyvista
 
 from . import _raster, _vtk
 from ._geometry import constraints_of
-from ._input import PLANES, bytes_of, chosen_plane, real_of
+from ._input import PLANES, bytes_of, chosen_plane, polygon_of, real_of
 from ._interface import HEIGHTS_FROM_SURFACE, PLANE_BEST_FIT, SAY_TRIANGULATION, WORDS_OF_NUMPY, say, threads_told
 from ._keywords import MESH_KEYWORDS
 from ._names import value_of
@@ -221,9 +221,16 @@ def delaunay_2d(mesh: Any, inplace: Any, edge_source: Any, progress_bar: Any, co
     return _into(mesh, _taken(algorithm.GetOutput()), inplace)
 
 
-def voronoi_2d(mesh: Any, plane: Any, memory_limit: Any, progress_bar: Any, **settings: Any) -> pyvista.PolyData:
+def voronoi_2d(
+    mesh: Any, plane: Any, memory_limit: Any, progress_bar: Any, clip: Any, **settings: Any
+) -> pyvista.PolyData:
+    corners = None if isinstance(clip, str) else polygon_of("clip", clip)
+    settings["clip"] = clip if corners is None else "hull"
     algorithm, messages = _make_filter(mesh, plane, memory_limit, settings)
     algorithm.GenerateVoronoiOn()
+    if corners is not None:
+        algorithm.SetVoronoiClipToPolygon()
+        algorithm.SetVoronoiPolygon(", ".join("%r %r" % tuple(corner) for corner in corners.tolist()))
     _run(algorithm, messages, progress_bar, "Computing Voronoi Diagram")
     return _taken(algorithm.GetOutput(2))
 

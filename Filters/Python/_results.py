@@ -22,7 +22,8 @@ class Voronoi:
         Corners of the cells, in the plane of the triangulation, in the unit of the points; each shared by the cells
         that meet there.
     offsets : (c + 1,) int
-        Cell `i` has the corners ``corners[offsets[i]:offsets[i + 1]]``, at least three, counterclockwise.
+        Cell `i` has the corners ``corners[offsets[i]:offsets[i + 1]]``, at least three, counterclockwise; or none if it
+        is empty, as those outside a polygon may be.
     corners : (k,) int
         Rows of `points`.
     sites : (c,) int

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import functools
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Dict, Iterable, Literal, Mapping, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Iterable, Literal, Mapping, Optional, Tuple, Union
 
 import numpy as np
 
 from . import _library as library
-from ._input import CHOICES, DEFAULTS, Request
+from ._input import CHOICES, DEFAULTS, Corners, Request, polygon_of
 from ._made import frozen
 from ._picture import svg
 from ._results import Boxes, Location, Outline, Voronoi, chained
@@ -343,22 +343,24 @@ class Triangulation(Sampled):
 
     # --- questions ---
 
-    def voronoi(self, clip: Optional[Literal["hull", "bounds"]] = None) -> Voronoi:
+    def voronoi(self, clip: Union[None, Literal["hull", "bounds"], Corners] = None) -> Voronoi:
         """The Voronoi diagram of the vertices, without regard to constraints and removed triangles.
 
         Its topology is exact, like the triangles; corners are rounded to float64.
 
         Parameters
         ----------
-        clip : {'hull', 'bounds'}, optional
-            Clip the outer cells at the convex hull of the vertices or at their bounding box. Default: `voronoi_clip` of
-            the triangulation, 'hull' if it was not given.
+        clip : {'hull', 'bounds'} or (n, 2) array, optional
+            Clip the cells at the convex hull of the vertices; at their bounding box; or at the convex polygon that has
+            these corners, in their order, of two corners at the box between them: coordinates in the plane of the
+            triangulation. Default: `voronoi_clip` of the triangulation, 'hull' if it was not given.
 
         Returns
         -------
         Voronoi
-            One cell for each vertex, by ascending smallest id of the points at its place. Collinear vertices have no
-            cells in their hull, and strips in a bounding box that has an area.
+            One cell for each vertex, by ascending smallest id of the points at its place; in a polygon it may be empty,
+            and then has no corners. Collinear vertices have no cells in their hull, and strips in a polygon or a
+            bounding box that has an area.
 
         Examples
         --------
@@ -366,22 +368,30 @@ class Triangulation(Sampled):
         >>> diagram = delaunay([[0, 0], [4, 0], [4, 4], [0, 4], [2, 2]]).voronoi()
         >>> len(diagram), diagram.sites.tolist(), diagram[4].tolist()
         (5, [0, 1, 2, 3, 4], [[2.0, 4.0], [0.0, 2.0], [2.0, 0.0], [4.0, 2.0]])
+        >>> delaunay([[1, 1], [3, 1]]).voronoi([[0, 0], [4, 2]])[1].tolist()
+        [[2.0, 0.0], [4.0, 0.0], [4.0, 2.0], [2.0, 2.0]]
         """
         number = self._request.settings["voronoi_clip"]
-        if clip is not None:
+        corners = None if clip is None or isinstance(clip, str) else polygon_of("clip", clip)
+        if corners is not None:
+            number = library.CLIP_POLYGON
+        elif clip is not None:
             if clip not in CHOICES["voronoi_clip"]:
                 raise ValueError("clip must be 'hull' or 'bounds', not %r" % (clip,))
             number = CHOICES["voronoi_clip"].index(clip)
-        made: Voronoi = self._made("voronoi %d" % number, lambda: self._make_voronoi(int(number)))
+        name = "voronoi %d" % number if corners is None else "voronoi %r" % corners.tolist()
+        made: Voronoi = self._made(name, lambda: self._make_voronoi(int(number), corners))
         return made
 
-    def _make_voronoi(self, clip: int) -> Voronoi:
-        if clip == self._request.settings["voronoi_clip"]:
+    def _make_voronoi(self, clip: int, corners: Optional[np.ndarray]) -> Voronoi:
+        if corners is None and clip == self._request.settings["voronoi_clip"]:
             job = self._engine("voronoi")
         else:
             self._engine()
             job = self._request.job(["voronoi"])
             job.set(voronoi_clip=clip)
+            if corners is not None:
+                job.set_array("voronoi_polygon", corners)
             job.run()
         made = Voronoi(
             frozen(job.array("voronoi_points")),

@@ -16,6 +16,7 @@ from typing import Any, Iterable, Literal, Union
 import pyvista
 
 from . import _meshes
+from ._input import Corners
 from ._names import Function, by_any_name
 from ._sampling import Method
 
@@ -134,7 +135,7 @@ def delaunay_2d(
 def voronoi_2d(
     mesh: Any,
     tol: float = 0.0,
-    clip: Literal["hull", "bounds"] = "hull",
+    clip: Union[Literal["hull", "bounds"], Corners] = "hull",
     *,
     plane: Any = "automatic",
     duplicates: Literal["first", "lowest_z", "highest_z", "mean_z"] = "first",
@@ -152,8 +153,9 @@ def voronoi_2d(
         As in `delaunay_2d`.
     plane, progress_bar
         As in `delaunay_2d`.
-    clip : {'hull', 'bounds'}, default 'hull'
-        Clip the outer Voronoi cells at the convex hull of the points, or at their bounding box in the plane.
+    clip : {'hull', 'bounds'} or (n, 2) array, default 'hull'
+        Clip the Voronoi cells at the convex hull of the points; at their bounding box in the plane; or at a convex
+        polygon of these corners there, of two at the box between them.
 
     Returns
     -------

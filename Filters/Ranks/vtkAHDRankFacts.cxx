@@ -24,6 +24,7 @@
 #include <cstring>
 #include <functional>
 #include <set>
+#include <string_view>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <unistd.h>
@@ -65,6 +66,9 @@ std::vector<std::pair<const char*, double>> NumbersToCompare(const vtkAHDSetting
     }
   }
   const bool isHull = settings.rim == ahd::RimKind::Automatic && !settings.isProjected();
+  const auto* const polygon = reinterpret_cast<const char*>(settings.voronoiPolygon.data());
+  const std::string_view corners(polygon, settings.voronoiPolygon.size() * sizeof(ahd::Point));
+  numbers.emplace_back("VoronoiPolygon", double(std::hash<std::string_view>()(corners)));
   numbers.emplace_back("SourceHeights", settings.heightsFromSurface);
   numbers.emplace_back("ProjectionPlaneMode", settings.fitsPlane());
   numbers.emplace_back("Rim", double(isHull ? ahd::RimKind::ConvexHull : settings.rim));

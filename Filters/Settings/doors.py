@@ -16,7 +16,8 @@ WANTS = ("any time", "in the run")
 
 @dataclasses.dataclass
 class Keyword:
-    """A keyword as one of the two has it. `kind`: str, bool, int, float; `names`: of a str; `ends`: of a number."""
+    """A keyword as one of the two has it. `kind`: str, bool, int, float, or Any where an array is taken in place of a
+    name; `names`: of a str; `ends`: of a number."""
 
     name: str
     setting: str
@@ -36,13 +37,16 @@ class Keyword:
         """For type checkers."""
         if self.name == "memory_limit":
             return "Union[int, str]"
+        if self.kind == "Any":
+            return f"Union[{_literal(self.names)}, Corners]"
         return _literal(self.names) if self.kind == "str" else self.kind
 
     @property
     def type(self):
         """For docstrings."""
-        if self.kind == "str":
-            return "{" + ", ".join(map(repr, self.names)) + "}"
+        if self.names:
+            array = " or (n, 2) array" if self.kind == "Any" else ""
+            return "{" + ", ".join(map(repr, self.names)) + "}" + array
         if self.kind == "bool":
             return self.kind
         if self.name == "memory_limit":
@@ -59,7 +63,8 @@ def _literal(names):
 
 def _keyword(one, name, setting, names, default, about):
     is_switch = not names and one.ends == (0, 1) and one.type != "double"
-    kind = "str" if names else "bool" if is_switch else "float" if one.type == "double" else "int"
+    of_words = "Any" if one.array else "str"
+    kind = of_words if names else "bool" if is_switch else "float" if one.type == "double" else "int"
     value = names[default] if names else bool(default) if is_switch else default
     return Keyword(name, setting, kind, value, tuple(names), one.ends, about, one.mesh)
 

@@ -32,6 +32,7 @@ class Setting:
     run: str = ""
     keyword: str = ""
     names: tuple = ()
+    array: bool = False
     keyword_default: object = None
     about: str = ""
     want: str = ""
@@ -61,7 +62,7 @@ class Setting:
         if None in self.ends:
             raise ValueError(f"[{self.name}]: no least or most")
         for names, default in ((self.names, self.keyword_default), (self.mesh_names, self.mesh_default)):
-            if names and len(set(names)) != self.ends[1] + 1:
+            if names and len(set(names)) != self.ends[1] + 1 - self.array:
                 raise ValueError(f"[{self.name}]: {len(set(names))} names for 0 to {self.ends[1]}")
             if default is not None and not self.ends[0] <= default <= self.ends[1]:
                 raise ValueError(f"[{self.name}]: the default {default} is not from {self.ends[0]} to {self.ends[1]}")

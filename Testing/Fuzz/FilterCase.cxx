@@ -306,6 +306,7 @@ void FilterCase::readSource(ByteReader& bytes)
 
 void FilterCase::configure(vtkAdaptiveHilbertDelaunay2D* filter, unsigned run) const
 {
+  filter->SetVoronoiPolygon("-1 -2, 90 3, 40 200");
   filter->SetTransform(transform_); // the same object unless it changes, or nothing is kept
   std::map<std::string, double> values = this->ofSurface();
   values.merge(this->ofWork(run));
@@ -342,7 +343,7 @@ std::map<std::string, double> FilterCase::ofSurface() const
     { "GenerateInsertionCurve", bit(kExtras, 5) },
     { "GenerateBoxes", bit(kExtras, 6) },
     { "GenerateVoronoi", bit(kExtras, 7) },
-    { "VoronoiClip", bit(kMoreExtras, 0) },
+    { "VoronoiClip", bit(kMoreExtras, 0) * (1 + bit(kMoreExtras, 2)) },
     { "BoundingTriangulation", bit(kMoreExtras, 1) },
     { "AlphaTris", !bit(kMoreExtras, 3) },
     { "AlphaLines", !bit(kMoreExtras, 4) },

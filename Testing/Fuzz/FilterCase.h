@@ -32,7 +32,8 @@ enum FilterByte : std::size_t
   kCellCount,  ///< of the source
   kModes,  ///< bit 0 source mode; 1 crossing mode; 2 fill rule; 3-4 duplicates; 5-6 plane; 7 merge
   kExtras, ///< fate, constraint edges, regions, neighbours, rank, curve, boxes, Voronoi
-  kMoreExtras, ///< to bounds, bounding, not kept, no tris, no lines, no verts, count work, no genes
+  kMoreExtras, ///< to bounds (if not kept: to a polygon), bounding, not kept, no tris, no lines, no
+               ///< verts, count work, no genes
   kOrder,      ///< bits 0-1 order; 2-3 control points; 4-7 Nmax, 0 the default
   kPlaneOf,    ///< the transform: 0 none, see transform()
   kAlpha,      ///< a number, see number()

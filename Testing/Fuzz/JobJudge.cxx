@@ -51,6 +51,14 @@ void setAnything(JobRun& run, const FuzzCase& given, const std::vector<double>& 
   const std::uint8_t bits = given.head[kShuffle], more = given.head[kRefusals];
   const auto bit = [](std::uint8_t byte, int k) { return std::int64_t(byte >> k & 1); };
   setFlags(run, given.head[kSkipMarks] | unsigned(given.head[kSkipMask]) << 8);
+  if (bit(more, 0) != 0)
+  {
+    static const double boxes[][4] = { { 0, 0, 1, 1 }, { 3, -1e9, -2, 7 }, { 1e5, 1e5, 1e6, 0 } };
+    const ahd_array corners = { boxes[bits % 3], AHD_FLOAT64, 2, 2, 2 * sizeof(double),
+      sizeof(double) };
+    ahd_set_array(run.job(), "voronoi_polygon", &corners);
+    run.set("voronoi_clip", std::int64_t(AHD_CLIP_POLYGON));
+  }
   run.set("plane", bit(bits, 0) * (1 + bit(more, 7)));
   run.set("bounding", bit(bits, 1));
   run.set("tolerance", bit(bits, 2) != 0 ? 1.0 / (1.0 + given.head[kMergeDistance]) : 0.0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PartJudges.h"
 
+#include "Voronoi/ConvexPolygon.h"
 #include "VoronoiOracle.h"
 
 #include <algorithm>
@@ -217,6 +218,29 @@ std::string faultsOfAll(const Diagram& diagram)
   return fault.empty() ? faultsOfShapes(diagram) : fault;
 }
 
+/// Of the cells in a triangle of points.
+std::string faultsInTriangle(Triangulation& delaunay, std::size_t vertices, Executor* executor)
+{
+  const PointView& points = delaunay.points();
+  if (points.count < 3)
+  {
+    return "";
+  }
+  const ConvexPolygon triangle({ points[0], points[points.count / 2], points[points.count - 1] });
+  if (triangle.fault() != PolygonFault::None)
+  {
+    return "";
+  }
+  VoronoiCells cells;
+  const Status status = voronoiCells(delaunay, triangle, cells, { nullptr, executor });
+  if (status != Status::Ok || cells.sites.size() != vertices)
+  {
+    return "status " + std::to_string(int(status)) + ", or not a cell for each vertex";
+  }
+  const std::vector<Point> corners{ triangle.corner(0), triangle.corner(1), triangle.corner(2) };
+  return vertices <= kMostExactCells ? test::faultsOfCells(points, corners, cells) : "";
+}
+
 } // namespace
 
 std::string mergeAndJudge(const PointView& points, double fraction, MergedPoints& merged)
@@ -272,7 +296,8 @@ std::string faultsOfDiagram(
       return (clip == VoronoiClip::Hull ? "clipped at the hull: " : "clipped at the box: ") + fault;
     }
   }
-  return "";
+  const std::string fault = faultsInTriangle(delaunay, plain.report.inserted, executor);
+  return fault.empty() ? "" : "clipped at a triangle: " + fault;
 }
 
 } // namespace fuzz

@@ -32,10 +32,10 @@ struct ToSplit
 /// unresolved.
 std::string splitAndJudge(const ToSplit& given, SplitConstraints& split);
 
-/// The cells of the Voronoi diagram, clipped either way: one for each vertex, of three corners at
-/// least, within the bounds. Up to 12 of them, with each corner correct (VoronoiOracle.h).
-/// Where coordinates are small integers, also convex, around their vertices, and with the correct
-/// total area. `plain`: the outputs of `delaunay`, which has no constraints.
+/// The cells of the Voronoi diagram, clipped at hull, box and a triangle of points: one for each
+/// vertex, of three corners at least, within the bounds. Up to 12 of them, with each corner correct
+/// (VoronoiOracle.h). Where coordinates are small integers, also convex, around their vertices, and
+/// with the correct total area. `plain`: the outputs of `delaunay`, which has no constraints.
 std::string faultsOfDiagram(
   Triangulation& delaunay, const test::ConstrainedOutcome& plain, Executor* executor);
 

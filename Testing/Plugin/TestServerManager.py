@@ -134,7 +134,7 @@ def test_choices():
         "SourceHeights": ["Own", "From Surface"],
         "ProjectionPlaneMode": ["XY Plane", "Transform Plane", "Best-Fitting Plane"],
         "DuplicatePolicy": ["First", "Lowest z", "Highest z", "Mean z"],
-        "VoronoiClip": ["Hull", "Bounds"],
+        "VoronoiClip": ["Hull", "Bounds", "Polygon"],
         "Rim": ["Automatic", "Convex Hull", "Trimmed"],
     }
     for name, texts in expected.items():

@@ -58,6 +58,7 @@ constexpr struct
   { AHD_FILL_EVEN_ODD, std::int64_t(FillRule::EvenOdd) },
   { AHD_CLIP_HULL, std::int64_t(VoronoiClip::Hull) },
   { AHD_CLIP_BOUNDS, std::int64_t(VoronoiClip::Bounds) },
+  { AHD_CLIP_POLYGON, std::int64_t(VoronoiClip::Polygon) },
   { AHD_PLANE_XY, std::int64_t(PlaneKind::Xy) },
   { AHD_PLANE_BEST_FIT, std::int64_t(PlaneKind::BestFit) },
   { AHD_PLANE_MATRIX, std::int64_t(PlaneKind::Matrix) },

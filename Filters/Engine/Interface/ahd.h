@@ -181,11 +181,13 @@ enum
   AHD_RIM_TRIMMED = 2      /* without flat triangles (an angle above 158.2 degrees) along it */
 };
 
-/* voronoi_clip: where outer cells end */
+/* voronoi_clip: where cells end */
 enum
 {
-  AHD_CLIP_HULL = 0,  /* at the convex hull of the vertices */
-  AHD_CLIP_BOUNDS = 1 /* at their bounding box */
+  AHD_CLIP_HULL = 0,   /* at the convex hull of the vertices */
+  AHD_CLIP_BOUNDS = 1, /* at their bounding box */
+  AHD_CLIP_POLYGON = 2 /* at voronoi_polygon, inner cells too; each vertex has a cell, though one
+                          without corners if no part of the polygon is nearest to it */
 };
 
 /* Values of point_status that are not ids. */
@@ -271,10 +273,13 @@ AHD_API ahd_status ahd_get_double(ahd_job* job, const char* name, double* value)
  *   loop_offsets   integer  (c + 1)         to offset i + 1, which is not in it; ascending.
  *                                           Without, the ids are one chain
  *   matrix         float64  (4, 4)          for AHD_PLANE_MATRIX: applied to (x, y, z, 1)
+ *   voronoi_polygon  float64  (k, 2)        for AHD_CLIP_POLYGON, in the plane: two opposite
+ *                                           corners of a box, or those of a convex polygon in
+ *                                           their order
  *
  * real: AHD_FLOAT32 or AHD_FLOAT64. integer: AHD_INT32 or AHD_INT64. Ids of no point are counted,
- * and their segments left out. Inconsistent arrays (skip and points, offsets and ids) are refused
- * by ahd_run(). */
+ * and their segments left out. Inconsistent arrays (skip and points, offsets and ids; no convex
+ * polygon) are refused by ahd_run(). */
 typedef struct ahd_array
 {
   const void* data;      /* the first number; may be null only without rows */

@@ -26,6 +26,9 @@ struct Row
 
 /// Of refusals only the first that applies is given.
 constexpr Row kRows[] = {
+  { Topic::Refusal, "voronoi polygon", "polygon_fault",
+    "{voronoi_polygon} {polygon_fault}, but it must be two opposite corners of a box, or the "
+    "corners of a convex polygon in their order. Nothing was computed." },
   { Topic::Refusal, "too many points", "refused=points",
     "{points} points are too many: at most {most_points} can be triangulated." },
   { Topic::Refusal, "too many boxes", "refused=boxes",
@@ -264,6 +267,7 @@ constexpr Phrase kPhrases[] = {
   { "or_set_limit",
     { "or set {memory_limit} to {units_needed} or more ({unit}{of_rank+, of each rank})." } },
   { "memory_limit", { "\"memory_limit\"", "MemoryLimit" } },
+  { "voronoi_polygon", { "\"voronoi_polygon\"", "VoronoiPolygon" } },
   { "unit", { "bytes", "KiB" } },
   { "no_boxes", { "Ask for no boxes", "Switch GenerateBoxes off" } },
   { "nmax", { "\"nmax\"", "Nmax" } },

@@ -40,6 +40,7 @@ constexpr Row kRows[] = {
   { "line_offsets", kInteger, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
   { "loop_offsets", kInteger, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
   { "matrix", bitOf(kFloat64), 4, 4, "AHD_FLOAT64, of 4 rows and columns" },
+  { "voronoi_polygon", bitOf(kFloat64), 2, 2, "AHD_FLOAT64, of 2 columns" },
   { "surface", kInteger, 3, 3, "AHD_INT32 or AHD_INT64, of 3 columns" },
   { "surface_edges", bitOf(kUint8), 1, 1, "AHD_UINT8, of one column" },
   { "cells", kInteger, 1, kManyColumns, "AHD_INT32 or AHD_INT64" },
@@ -81,6 +82,17 @@ std::string faultOf(const Row& row, const GivenArray& array)
     return "must have 4 rows, not " + std::to_string(array.rows) + ".";
   }
   return array.rows > 0 && !array.data ? "has rows, but its data is null." : std::string();
+}
+
+double realAt(const GivenArray& array, std::size_t row, std::size_t column)
+{
+  double number;
+  std::memcpy(&number,
+    static_cast<const unsigned char*>(array.data) +
+      static_cast<std::int64_t>(row) * array.rowStride +
+      static_cast<std::int64_t>(column) * array.columnStride,
+    sizeof number);
+  return number;
 }
 
 } // namespace
@@ -169,16 +181,23 @@ CellsView InputArrays::countCells(InputArray idArray, InputArray offsetArray) co
 
 std::array<double, 16> InputArrays::matrix() const
 {
-  const GivenArray& array = (*this)[InputArray::Matrix];
   std::array<double, 16> numbers;
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
-    const auto* row = static_cast<const unsigned char*>(array.data) +
-      static_cast<std::int64_t>(i / 4) * array.rowStride;
-    std::memcpy(
-      &numbers[i], row + static_cast<std::int64_t>(i % 4) * array.columnStride, sizeof(double));
+    numbers[i] = realAt((*this)[InputArray::Matrix], i / 4, i % 4);
   }
   return numbers;
+}
+
+std::vector<Point> InputArrays::voronoiPolygon() const
+{
+  const GivenArray& array = (*this)[InputArray::VoronoiPolygon];
+  std::vector<Point> corners(static_cast<std::size_t>(array.rows));
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    corners[i] = { realAt(array, i, 0), realAt(array, i, 1) };
+  }
+  return corners;
 }
 
 } // namespace ahd

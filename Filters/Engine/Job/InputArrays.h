@@ -34,6 +34,7 @@ enum class InputArray : std::size_t
   LineOffsets,
   LoopOffsets,
   Matrix,
+  VoronoiPolygon,
   Surface,
   SurfaceEdges,
   Cells,
@@ -66,6 +67,8 @@ public:
 
   /// Row by row. @pre has(InputArray::Matrix).
   std::array<double, 16> matrix() const;
+  /// The corners; none if there is no such array.
+  std::vector<Point> voronoiPolygon() const;
 
 private:
   void countSurface(GivenTriangles& surface) const;

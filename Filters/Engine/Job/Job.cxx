@@ -69,12 +69,19 @@ void Job::run()
   }
 }
 
+RunSettings Job::asked() const
+{
+  RunSettings asked = settings.run();
+  asked.voronoiPolygon = asked.clipsAtPolygon() ? arrays.voronoiPolygon() : asked.voronoiPolygon;
+  return asked;
+}
+
 void Job::runWith(const Context& context)
 {
-  const RunSettings asked = settings.run();
+  const RunSettings asked = this->asked();
   InputRequest request = this->request(asked);
   Run run(asked, request, callersMemory(), workspace_, report_);
-  check(run.checkMemory(static_cast<std::size_t>(settings[IntSetting::MemoryLimit]), 0));
+  check(run.check(static_cast<std::size_t>(settings[IntSetting::MemoryLimit]), 0));
   progress.beginRun(run.stages());
   result_ = std::make_unique<JobResult>();
   JobResult& made = *result_;
@@ -151,7 +158,7 @@ CallersMemory Job::callersMemory() const
 
 std::size_t Job::estimate()
 {
-  const RunSettings asked = settings.run();
+  const RunSettings asked = this->asked();
   RunReport report;
   const Run run(asked, request(asked), callersMemory(), workspace_, report);
   if (report.points > kMaximumPoints)
@@ -196,7 +203,8 @@ void Job::select(const Context& context)
 void Job::check(Status status) const
 {
   const bool isOfSize = status == Status::TooManyPoints || status == Status::TooManyBoxes ||
-    status == Status::TooManyCrossings || (status == Status::OutOfMemory && report_.isRefused);
+    status == Status::TooManyCrossings || status == Status::BadPolygon ||
+    (status == Status::OutOfMemory && report_.isRefused);
   if (isOfSize)
   {
     refuse(reasonOf(status, report_.isRefused), factsOf(report_));

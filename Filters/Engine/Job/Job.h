@@ -110,6 +110,7 @@ private:
     ~NoteThreads() { used = std::max(used, threads.used()); }
   };
 
+  RunSettings asked() const;
   void runWith(const Context& context);
   void refuseUsedUp(const RunSettings& asked) const;
   InputRequest request(const RunSettings& asked) const;

@@ -283,7 +283,8 @@ Reason reasonOf(Status status, bool isRefused)
 {
   // In the order of Status.
   constexpr Reason reasons[] = { Reason(), Reason::Cancelled, Reason::TooManyPoints,
-    Reason::TooManyBoxes, Reason::TooManyCrossings, Reason::OutOfMemory, Reason::BadArray };
+    Reason::TooManyBoxes, Reason::TooManyCrossings, Reason::OutOfMemory, Reason::BadArray,
+    Reason::BadArray };
   return isRefused && status == Status::OutOfMemory ? Reason::MemoryLimit
                                                     : reasons[std::size_t(status)];
 }
@@ -300,6 +301,12 @@ Facts factsOf(const RunReport& report, Facts known)
   }
   // where there are too many crossings, points are those with them
   known.addMissing({ "own_points", report.points - report.crossings }, given);
+  const char* const polygonFaults[] = { "", "has a coordinate that is not a finite number",
+    "has no area", "is not convex" }; // in the order of PolygonFault
+  if (report.status == Status::BadPolygon)
+  {
+    known.add({ "polygon_fault", polygonFaults[std::size_t(report.polygonFault)] });
+  }
   known.addMissing({ "memory_limit", report.isLimited }, given);
   known.addMissing({ "trimmed_area", report.counts.trimmedArea }, given);
   return known;

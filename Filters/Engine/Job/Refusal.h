@@ -63,7 +63,8 @@ inline void check(Status status)
 {
   // In the order of Status.
   const char* const texts[] = { "", "Cancelled.", "Too many points.", "Too many boxes.",
-    "Too many crossings.", "Out of memory.", "Offsets do not ascend within the ids." };
+    "Too many crossings.", "Out of memory.", "Offsets do not ascend within the ids.",
+    "No convex polygon." };
   if (status != Status::Ok)
   {
     refuse(reasonOf(status, false), texts[std::size_t(status)]);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Run.h"
 
+#include "../Core/Border.h"
 #include "../Core/Memory.h"
 #include "../Prepare/Stacks.h"
+#include "../Voronoi/ConvexPolygon.h"
 
 #include <algorithm>
 #include <utility>
@@ -54,8 +56,30 @@ Run::Run(const RunSettings& settings, const InputRequest& counts, const CallersM
   report_.segments = segmentsOf(counts);
 }
 
-Status Run::checkMemory(std::size_t limit, std::size_t held)
+namespace
 {
+
+/// Ok, BadPolygon or OutOfMemory.
+Status checkPolygon(const RunSettings& settings, PolygonFault& fault)
+{
+  return withoutThrowing(
+    [&]
+    {
+      const bool isUsed = settings.clipsAtPolygon();
+      fault = isUsed ? ConvexPolygon(settings.voronoiPolygon).fault() : PolygonFault::None;
+      return fault == PolygonFault::None ? Status::Ok : Status::BadPolygon;
+    });
+}
+
+} // namespace
+
+Status Run::check(std::size_t limit, std::size_t held)
+{
+  const Status status = checkPolygon(settings_, report_.polygonFault);
+  if (status != Status::Ok)
+  {
+    return end(status);
+  }
   report_.isLimited = limit > 0;
   if (report_.points > kMaximumPoints)
   {
@@ -245,7 +269,10 @@ Status Run::makeVoronoi(const Lend& lend, RunResult& made)
   {
     lend(made.triangulation.report(), made.voronoi);
   }
-  return end(voronoiCells(made.triangulation, settings_.voronoiClip, made.voronoi, context_));
+  return end(settings_.clipsAtPolygon()
+      ? voronoiCells(
+          made.triangulation, ConvexPolygon(settings_.voronoiPolygon), made.voronoi, context_)
+      : voronoiCells(made.triangulation, settings_.voronoiClip, made.voronoi, context_));
 }
 
 Status Run::constrain(RunResult& made)

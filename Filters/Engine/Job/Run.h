@@ -93,11 +93,12 @@ public:
   /// Upper estimate of the peak memory in bytes, from the known sizes.
   std::size_t estimate() const { return runMemoryEstimate(counts_, settings_, report_, callers_); }
 
-  /// Checks the number of points, and the memory as far as it is known before the run.
+  /// Checks the number of points, the polygon to clip at, and the memory as far as it is known
+  /// before the run.
   /// `limit`: bytes; 0: available memory. `held`: the part of the estimate that the caller holds
   /// already, besides the workspace, which is released if it may be too large. Returns Ok,
-  /// TooManyPoints or OutOfMemory.
-  Status checkMemory(std::size_t limit, std::size_t held);
+  /// TooManyPoints, BadPolygon or OutOfMemory.
+  Status check(std::size_t limit, std::size_t held);
 
   /// The weights of the stages of make(). They are about times, measured with 10^6 points: that of
   /// a plain triangulation is 1.
@@ -112,7 +113,7 @@ public:
 
   /// Opens the input, prepares, triangulates and constrains, finds the triangles of a surface that
   /// is given, and fills in the report. Returns what the engine's calls do; throws what `open` and
-  /// `lend` throw. @pre checkMemory(), and stages that begin with firstStages(); with a
+  /// `lend` throw. @pre check(), and stages that begin with firstStages(); with a
   /// surface no constraints, and nothing that drops triangles.
   Status make(
     const Open& open, const Lend& lend, RunProgress& progress, Executor* executor, RunResult& made);

@@ -62,6 +62,10 @@ public:
   }
 
 private:
+  std::size_t ofVoronoi(std::size_t perPoint) const
+  {
+    return settings_.voronoi ? perPoint * (sizes_.points + settings_.voronoiPolygon.size()) : 0;
+  }
   std::size_t perPoint(bool is, std::size_t bytes) const { return is ? sizes_.points * bytes : 0; }
   bool selectsByAlpha() const { return settings_.limits.alpha > 0.0; }
   /// By limits in the plane alone?
@@ -133,8 +137,7 @@ std::size_t Estimate::triangulating() const
 std::size_t Estimate::held() const
 {
   return prepared() + triangulatedMemoryEstimate(sizes_.points, settings_.options) +
-    sizes_.boxes * kBoxKept + perPoint(keepsTables(), kTables) +
-    perPoint(settings_.voronoi, kVoronoiCells);
+    sizes_.boxes * kBoxKept + perPoint(keepsTables(), kTables) + ofVoronoi(kVoronoiCells);
 }
 
 /// From when there are constraints: tables that stay, marks, a slot of each vertex. Or a vertex of
@@ -166,8 +169,8 @@ std::size_t Estimate::constraining() const
 /// The cells and the tables are in held().
 std::size_t Estimate::makingVoronoi() const
 {
-  const std::size_t cells = sizes_.points * kVoronoiCells;
-  return settings_.voronoi ? voronoiMemoryEstimate(sizes_.points) - cells +
+  const std::size_t points = sizes_.points + settings_.voronoiPolygon.size();
+  return settings_.voronoi ? voronoiMemoryEstimate(points) - ofVoronoi(kVoronoiCells) +
       perPoint(sizes_.segments > 0, kTables - kTablesBehindConstraints)
                            : 0;
 }
@@ -188,8 +191,8 @@ std::size_t Estimate::selecting() const
 /// (vtkAHDOutputMemory::GetCapacity).
 std::size_t Estimate::written() const
 {
-  std::size_t bytes = sizes_.points * settings_.bytesOfArrays(false) +
-    perPoint(settings_.voronoi, kVoronoiWritten) + orderDrawn();
+  std::size_t bytes = sizes_.points * settings_.bytesOfArrays(false) + ofVoronoi(kVoronoiWritten) +
+    orderDrawn();
   if (writesCells())
   {
     // Corners and offsets of two triangles a point; of lines in place of all of them there are

@@ -30,7 +30,8 @@ struct RunReport : RunSizes
   std::size_t mostBoxes = 0;     ///< that fit in memory
   std::size_t mostCrossings = 0; ///< the same
   unsigned threadsUsed = 0;      ///< that shared work
-  bool splits = false;           ///< segments, where they cross
+  PolygonFault polygonFault = PolygonFault::None; ///< BadPolygon: why
+  bool splits = false;                            ///< segments, where they cross
   bool countsWork = false;
   std::array<double, kPhases> seconds = {}; ///< of each phase, by the wall clock
 
@@ -69,10 +70,11 @@ struct RunReport : RunSizes
   {
     return std::tuple_cat(RunSizes::fields(),
       std::tie(status, isRefused, estimate, allowed, isLimited, mostBoxes, mostCrossings,
-        threadsUsed, splits, countsWork, seconds, counts, constraints, delaunayTriangles,
-        keptEstimate, triangles, lines, vertices, inputPoints, sourcePoints, addedPoints,
-        mergedPoints, firstCrossing, bentConstraints, firstBentCell, unfitIds, oddPoints,
-        pointsOffSurface, isProjected, isSteep, areOnOneLine, areStacked, foldedTriangles));
+        threadsUsed, polygonFault, splits, countsWork, seconds, counts, constraints,
+        delaunayTriangles, keptEstimate, triangles, lines, vertices, inputPoints, sourcePoints,
+        addedPoints, mergedPoints, firstCrossing, bentConstraints, firstBentCell, unfitIds,
+        oddPoints, pointsOffSurface, isProjected, isSteep, areOnOneLine, areStacked,
+        foldedTriangles));
   }
 };
 static_assert(listsAll<Report>() && listsAll<ConstraintReport>() && listsAll<UnfitIds>() &&

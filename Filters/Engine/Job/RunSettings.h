@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace ahd
 {
@@ -35,6 +36,7 @@ struct RunSettings
   RimKind rim = RimKind::ConvexHull;
   SizeLimits limits;
   VoronoiClip voronoiClip = VoronoiClip::Hull;
+  std::vector<Point> voronoiPolygon; ///< its corners; empty unless it clips the cells
 
   // The requested outputs.
   std::array<bool, kWantedArrays> wanted = {};
@@ -64,6 +66,8 @@ struct RunSettings
     return time;
   }
 
+  /// Are the cells of a Voronoi diagram clipped at a polygon?
+  bool clipsAtPolygon() const { return voronoi && voronoiClip == VoronoiClip::Polygon; }
   /// Is the plane another than x, y?
   bool isProjected() const { return plane != PlaneKind::Xy; }
   /// Must the plane be fitted?

@@ -91,7 +91,7 @@ constexpr SettingRow<std::int64_t> kIntRows[] = {
   { "alpha_triangles", 1, 0, 1 },
   { "alpha_lines", 1, 0, 1 },
   { "alpha_vertices", 1, 0, 1 },
-  { "voronoi_clip", 0, 0, 1 },
+  { "voronoi_clip", 0, 0, 2 },
   { "want_voronoi", 0, 0, 1 },
   { "want_order", 0, 0, 1 },
   { "want_boxes", 0, 0, 1 },

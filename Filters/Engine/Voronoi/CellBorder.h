@@ -18,13 +18,8 @@ using CornerId = std::uint32_t;
 constexpr CornerId kNoCorner = 0xFFFFFFFFu;
 
 /// A stretch of the border, as each border numbers them counterclockwise; or none.
-using Stretch = std::uint8_t;
-constexpr Stretch kNoStretch = 0xFF;
-
-inline Stretch stretch(unsigned number)
-{
-  return static_cast<Stretch>(number);
-}
+using Stretch = std::uint32_t;
+constexpr Stretch kNoStretch = 0xFFFFFFFFu;
 
 /// The part of an edge of the diagram inside the border: nothing, or from one corner to
 /// another. The edge between the cells of p and q is followed counterclockwise around
@@ -80,8 +75,16 @@ public:
   /// Returns false if cancelled; throws std::bad_alloc, as everything here does.
   virtual bool build(Ticker& ticker) = 0;
 
-  /// Does the centre of the triangle lie on the border or inside? @pre build().
-  bool isInside(std::size_t triangle) const { return inside_[triangle] != 0; }
+  /// Is the centre of the triangle inside? For HullBorder also if it lies on the border. @pre
+  /// build().
+  bool isInside(std::size_t triangle) const { return places_[triangle] == kInside; }
+
+  /// Bits of the sides of the border's bounds that the centre lies beyond, as far as they are
+  /// noted.
+  unsigned sidesBeyond(std::size_t triangle) const
+  {
+    return places_[triangle] & ~unsigned(kInside);
+  }
 
   /// The edge that is dual to h, counterclockwise around the origin of h.
   ClippedEdge piece(HalfEdge h)
@@ -106,6 +109,13 @@ public:
   /// `isOpen`: there the cell has no end.
   virtual void follow(Index site, const Gap& gap, bool isOpen, std::vector<CornerId>& cell) = 0;
 
+  /// Adds corners to a cell that has fewer than three, as the rest of it is smaller than the
+  /// coordinates resolve: its vertex stands for those that are missing.
+  virtual void fill(Index site, std::vector<CornerId>& cell)
+  {
+    fillWith(diagram_.point(site), cell);
+  }
+
   Point corner(CornerId id) const
   {
     const std::size_t triangles = diagram_.triangles();
@@ -123,7 +133,7 @@ public:
   /// All cells are known: only corner() will be called.
   void forget()
   {
-    inside_.reset();
+    places_.reset();
     std::unordered_map<HalfEdge, ClippedEdge>().swap(cut_);
     forgetOwn();
   }
@@ -131,26 +141,36 @@ public:
 protected:
   virtual void forgetOwn() {}
 
-  /// Notes for each triangle whether isIt(triangle) says that its centre is inside. Returns false
-  /// if cancelled.
-  template <typename IsIt>
-  bool noteInside(Ticker& ticker, IsIt isIt)
+  static constexpr std::uint8_t kInside = 1;
+
+  /// Notes for each triangle placeOf(triangle): kInside, or bits above it. Returns false if
+  /// cancelled.
+  template <typename PlaceOf>
+  bool notePlaces(Ticker& ticker, PlaceOf placeOf)
   {
-    inside_.allocate(diagram_.triangles());
-    return inShares(inside_.size(), ticker, 8, 1 << 14,
+    places_.allocate(diagram_.triangles());
+    return inShares(places_.size(), ticker, 8, 1 << 14,
       [&](std::size_t a, std::size_t b)
       {
         for (std::size_t t = a; t != b; ++t)
         {
-          inside_[t] = isIt(t) ? 1 : 0;
+          places_[t] = placeOf(t);
         }
       });
   }
-  void noteOutside(std::size_t triangle) { inside_[triangle] = 0; }
+  void noteOutside(std::size_t triangle) { places_[triangle] = 0; }
 
-  /// Moves the centres that stand for others inside into the bounds. Returns false if
-  /// cancelled.
-  bool settleInside(Ticker& ticker)
+  void fillWith(const Point& p, std::vector<CornerId>& cell)
+  {
+    while (cell.size() < 3)
+    {
+      cell.push_back(add(p));
+    }
+  }
+
+  /// Moves the centres that stand for others inside into the bounds, which are the border's.
+  /// Returns false if cancelled.
+  bool settleInside(const Bounds& bounds, Ticker& ticker)
   {
     const auto settle = [&](std::size_t a, std::size_t b)
     {
@@ -158,11 +178,11 @@ protected:
       {
         if (isInside(t) && diagram_.standIn(t) != t)
         {
-          diagram_.settle(diagram_.standIn(t));
+          diagram_.settle(diagram_.standIn(t), bounds);
         }
       }
     };
-    return !diagram_.hasJoined() || inChunks(0, inside_.size(), ticker, settle);
+    return !diagram_.hasJoined() || inChunks(0, places_.size(), ticker, settle);
   }
 
   /// The part inside of the dual of h, which is not wholly inside. @pre h is the smaller of
@@ -178,7 +198,7 @@ protected:
   std::deque<Point> points_; ///< never takes twice its size, unlike a growing vector
 
 private:
-  Buffer<std::uint8_t> inside_; ///< of each triangle
+  Buffer<std::uint8_t> places_; ///< of each triangle's centre
   std::unordered_map<HalfEdge, ClippedEdge> cut_;
 };
 

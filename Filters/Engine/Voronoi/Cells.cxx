@@ -264,7 +264,7 @@ bool CellWalk::turnAtBorder(Index vertex, Ticker& ticker)
   return true;
 }
 
-bool CellWalk::walkStrips(const std::vector<Index>& line, BoxBorder& border, Ticker& ticker)
+bool CellWalk::walkStrips(const std::vector<Index>& line, ConvexBorder& border, Ticker& ticker)
 {
   ClippedEdge before;
   if (!beginExtents(ticker))
@@ -331,22 +331,14 @@ void CellWalk::close(Index vertex, bool isOpen)
 
 void CellWalk::keep(Index vertex)
 {
-  if (cell_.size() < 3)
+  border_.fill(vertex, cell_);
+  if (cell_.empty())
   {
-    pad(vertex);
+    extents_[cellOf_[vertex]] = Extent();
+    return;
   }
   borderCells_.push_back({ vertex, static_cast<std::uint32_t>(borderCorners_.size()) });
   borderCorners_.insert(borderCorners_.end(), cell_.begin(), cell_.end());
-}
-
-/// The rest of the cell is smaller than the coordinates resolve: its vertex stands for the
-/// corners that are missing.
-void CellWalk::pad(Index vertex)
-{
-  while (cell_.size() < 3)
-  {
-    cell_.push_back(border_.add(diagram_.point(vertex)));
-  }
 }
 
 } // namespace ahd

@@ -3,8 +3,8 @@
 #define ahd_Cells_h
 
 #include "../Core/Tasks.h"
-#include "BoxBorder.h"
 #include "CellBorder.h"
+#include "ConvexBorder.h"
 #include "CornerNumbers.h"
 #include "InsideCells.h"
 #include "Voronoi.h"
@@ -34,9 +34,9 @@ public:
   /// false if cancelled; throws std::bad_alloc.
   bool walk(Ticker& ticker);
 
-  /// One cell per vertex where there are no triangles. @pre two vertices at least, in their
-  /// order along the line; `border` is this walk's.
-  bool walkStrips(const std::vector<Index>& line, BoxBorder& border, Ticker& ticker);
+  /// One cell per vertex where there are no triangles. @pre the vertices, in their order along the
+  /// line; `border` is this walk's.
+  bool walkStrips(const std::vector<Index>& line, ConvexBorder& border, Ticker& ticker);
 
 private:
   /// A cell at the border, which is not found by many threads.
@@ -85,7 +85,6 @@ private:
   void append(Index vertex, const ClippedEdge& piece);
   void close(Index vertex, bool isOpen);
   void keep(Index vertex);
-  void pad(Index vertex);
 
   Diagram& diagram_;
   CellBorder& border_;

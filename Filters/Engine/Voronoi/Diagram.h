@@ -6,7 +6,7 @@
 #include "../Core/Progress.h"
 #include "../Triangulation/Tables.h"
 #include "Circumcentre.h"
-#include "ClipBox.h"
+#include "ConvexPolygon.h"
 
 #include <vector>
 
@@ -55,9 +55,12 @@ public:
     return { point(origin(h)), point(origin(h + 1)), point(origin(h + 2)) };
   }
 
-  /// The centre of the triangle stands for one that lies within the bounds: it moves there if it is
-  /// outside, which is due to rounding.
-  void settle(std::size_t triangle) { centres_[triangle] = within(bounds_, centres_[triangle]); }
+  /// The centre of the triangle stands for one that lies within these bounds: it moves there if it
+  /// is outside, which is due to rounding.
+  void settle(std::size_t triangle, const Bounds& bounds)
+  {
+    centres_[triangle] = within(bounds, centres_[triangle]);
+  }
 
   /// standIn() will not be called again.
   void forgetStandIns() { standIns_.reset(); }

@@ -14,8 +14,8 @@ bool HullBorder::build(Ticker& ticker)
 {
   beyond_.allocate(diagram_.triangles());
   HalfEdge first = 0;
-  const auto isInTriangles = [](std::size_t) { return true; };
-  if (!noteInside(ticker, isInTriangles) || !findHullEdge(first, ticker))
+  const auto inTriangles = [](std::size_t) { return kInside; };
+  if (!notePlaces(ticker, inTriangles) || !findHullEdge(first, ticker))
   {
     return false;
   }
@@ -28,7 +28,7 @@ bool HullBorder::build(Ticker& ticker)
     }
     h = diagram_.start(diagram_.target(h)); // the edge of the hull that begins where it ends
   } while (h != first);
-  return settleInside(ticker);
+  return settleInside(diagram_.bounds(), ticker);
 }
 
 /// The first half-edge that lies on the hull.

@@ -30,9 +30,29 @@ bool InsideCells::find(Index vertex, Ticker& ticker)
   if (!isInside || size() < 3)
   {
     end_ = begin_;
-    others_.push_back(vertex);
+    if (isInside || !isBeyond(vertex))
+    {
+      others_.push_back(vertex);
+    }
   }
   return true;
+}
+
+/// Do all corners of the vertex's cell lie beyond one side of the border's bounds?
+bool InsideCells::isBeyond(Index vertex) const
+{
+  const HalfEdge start = diagram_.start(vertex);
+  unsigned sides = diagram_.twin(start) == kNoHalfEdge ? 0 : border_.sidesBeyond(start / 3);
+  for (HalfEdge h = start; sides != 0;)
+  {
+    h = diagram_.twin(previousInTriangle(h));
+    if (h == start)
+    {
+      return true;
+    }
+    sides &= border_.sidesBeyond(h / 3);
+  }
+  return false;
 }
 
 /// Turns around the vertex, from the triangle to the right of its first half-edge, and lists the

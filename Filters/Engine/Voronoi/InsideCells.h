@@ -25,8 +25,8 @@ public:
   /// does find().
   void reserve(std::size_t vertices) { corners_.allocate(vertices * kUsual / 4 + 64); }
 
-  /// Finds the corners of one more cell; where it touches the border or has too few, the vertex
-  /// goes to others(). Returns false if cancelled.
+  /// Finds the corners of one more cell: none if it is certainly outside. Where it touches the
+  /// border or has too few, the vertex goes to others(). Returns false if cancelled.
   bool find(Index vertex, Ticker& ticker);
 
   /// Call when all are found: returns memory if most is not needed. Throws std::bad_alloc.
@@ -59,6 +59,7 @@ private:
   }
   void resize(std::size_t room);
   bool turn(Index vertex, Ticker& ticker, bool& isInside);
+  bool isBeyond(Index vertex) const;
 
   const Diagram& diagram_;
   const CellBorder& border_;

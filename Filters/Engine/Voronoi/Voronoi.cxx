@@ -4,10 +4,10 @@
 #include "../Core/Border.h"
 #include "../Core/Chunks.h"
 #include "../Core/SortAsking.h"
+#include "../Predicates/Circles.h"
 #include "../Triangulation/State.h"
-#include "BoxBorder.h"
 #include "Cells.h"
-#include "ClipBox.h"
+#include "ConvexBorder.h"
 #include "Diagram.h"
 #include "HullBorder.h"
 #include "Sites.h"
@@ -46,9 +46,12 @@ void finish(VoronoiCells& cells)
 class Voronoi
 {
 public:
-  Voronoi(const State& state, VoronoiClip clip, VoronoiCells& cells, Ticker& ticker)
+  /// `polygon`: of the caller's own, or null.
+  Voronoi(const State& state, VoronoiClip clip, const ConvexPolygon* polygon, VoronoiCells& cells,
+    Ticker& ticker)
     : state_(state)
     , clip_(clip)
+    , polygon_(polygon)
     , cells_(cells)
     , ticker_(ticker)
   {
@@ -58,24 +61,22 @@ public:
   bool make();
 
 private:
-  bool makeStrips();
+  bool makeAll();
+  bool makeStrips(const ConvexPolygon& polygon);
+  bool giveAllToOne();
   bool makeCells(Diagram& diagram, CellBorder& border);
 
   const State& state_;
   const VoronoiClip clip_;
+  const ConvexPolygon* const polygon_;
   VoronoiCells& cells_;
   Ticker& ticker_;
   Sites sites_;
 };
 
-bool Voronoi::makeStrips()
+bool Voronoi::makeStrips(const ConvexPolygon& polygon)
 {
   const Point* const places = state_.ranked.xy.data();
-  const ClipBox box(sites_.bounds);
-  if (clip_ == VoronoiClip::Hull || sites_.ids.size() < 2 || !box.hasArea())
-  {
-    return ticker_.ask();
-  }
   cells_.sites = std::move(sites_.ids);
   std::vector<Index> line;
   line.reserve(cells_.sites.size());
@@ -92,7 +93,7 @@ bool Voronoi::makeStrips()
   const auto isBefore = [&](Index a, Index b)
   { return lexicographicallyLess(places[a], places[b]); };
   Diagram diagram(state_.tables, places, sites_.bounds, sites_.areModest);
-  BoxBorder border(diagram, box);
+  ConvexBorder border(diagram, polygon);
   CellWalk walk(diagram, border, sites_.cellOf, cells_);
   return inChunks(0, sites_.cellOf.size(), ticker_, collect) &&
     sortAsking(line, ticker_, isBefore) && walk.walkStrips(line, border, ticker_) && ticker_.ask();
@@ -104,15 +105,67 @@ bool Voronoi::makeCells(Diagram& diagram, CellBorder& border)
   return border.build(ticker_) && walk.walk(ticker_) && ticker_.ask();
 }
 
-bool Voronoi::make()
+/// No edge crosses the polygon: all of it is in the cell whose vertex is nearest to its corners, of
+/// which three tell it from any other.
+bool Voronoi::giveAllToOne()
 {
-  if (!numberSites(state_, sites_, ticker_))
+  const auto at = [this](std::size_t cell)
+  { return state_.points[static_cast<std::size_t>(cells_.sites[cell])]; };
+  const auto isNearer = [this](const Point& p, const Point& q)
+  {
+    int sign = 0;
+    for (std::size_t k = 0; k < 3 && sign == 0; ++k)
+    {
+      sign = nearerOf(p, q, polygon_->corner(k));
+    }
+    return sign > 0;
+  };
+  std::size_t nearest = 0;
+  const auto find = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t cell = a; cell != b; ++cell)
+    {
+      nearest = isNearer(at(cell), at(nearest)) ? cell : nearest;
+    }
+  };
+  if (!inChunks(0, cells_.sites.size(), ticker_, find))
   {
     return false;
   }
+  const auto corners = static_cast<std::int32_t>(polygon_->size());
+  cells_.points.allocate(polygon_->size());
+  cells_.corners.allocate(polygon_->size());
+  for (std::int32_t k = 0; k < corners; ++k)
+  {
+    const Point& p = polygon_->corner(static_cast<std::size_t>(k));
+    cells_.points[static_cast<std::size_t>(k)] = { p.x, p.y, 0.0 };
+    cells_.corners[static_cast<std::size_t>(k)] = k;
+  }
+  std::fill(cells_.offsets.begin() + nearest + 1, cells_.offsets.end(), corners);
+  return ticker_.ask();
+}
+
+bool Voronoi::make()
+{
+  const bool isMade = numberSites(state_, sites_, ticker_) && makeAll();
+  const bool isUncut = polygon_ && cells_.corners.empty() && !cells_.sites.empty();
+  return isMade && (!isUncut || giveAllToOne());
+}
+
+bool Voronoi::makeAll()
+{
+  std::vector<Point> corners; // of the bounds
+  if (!polygon_ && clip_ == VoronoiClip::Bounds && !sites_.ids.empty())
+  {
+    const Bounds& b = sites_.bounds;
+    corners = { { b.xmin, b.ymin }, { b.xmax, b.ymax } };
+  }
+  const ConvexPolygon bounds(std::move(corners));
+  const ConvexPolygon& polygon = polygon_ ? *polygon_ : bounds;
   if (state_.allTriangles == 0)
   {
-    return makeStrips();
+    const bool hasStrips = polygon.fault() == PolygonFault::None && !sites_.ids.empty();
+    return hasStrips ? makeStrips(polygon) : ticker_.ask();
   }
   cells_.sites = std::move(sites_.ids);
   Diagram diagram(state_.tables, state_.ranked.xy.data(), sites_.bounds, sites_.areModest);
@@ -125,14 +178,12 @@ bool Voronoi::make()
     HullBorder border(diagram);
     return makeCells(diagram, border);
   }
-  BoxBorder border(diagram, ClipBox(sites_.bounds));
+  ConvexBorder border(diagram, polygon);
   return makeCells(diagram, border);
 }
 
-} // namespace
-
-Status voronoiCells(
-  Triangulation& delaunay, VoronoiClip clip, VoronoiCells& cells, const Context& context)
+Status makeCells(Triangulation& delaunay, VoronoiClip clip, const ConvexPolygon* polygon,
+  VoronoiCells& cells, const Context& context)
 {
   clear(cells);
   Status status = delaunay.makeNeighbors(context);
@@ -157,7 +208,7 @@ Status voronoiCells(
         5 * state->allTriangles;
       Ticker ticker(
         context.progress, Phase::Outputs, steps, state->worthItsWhile(context.executor));
-      const bool isDone = Voronoi(*state, clip, cells, ticker).make();
+      const bool isDone = Voronoi(*state, clip, polygon, cells, ticker).make();
       finish(cells);
       return isDone;
     });
@@ -166,6 +217,49 @@ Status voronoiCells(
     cells = VoronoiCells();
   }
   return status;
+}
+
+} // namespace
+
+Status voronoiCells(
+  Triangulation& delaunay, VoronoiClip clip, VoronoiCells& cells, const Context& context)
+{
+  return makeCells(delaunay, clip, nullptr, cells, context);
+}
+
+Status voronoiCells(Triangulation& delaunay, const ConvexPolygon& polygon, VoronoiCells& cells,
+  const Context& context)
+{
+  return makeCells(delaunay, VoronoiClip::Polygon, &polygon, cells, context);
+}
+
+void leaveOutEmpty(VoronoiCells& cells)
+{
+  const auto isEmpty = [&](std::size_t k) { return cells.offsets[k] == cells.offsets[k + 1]; };
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < cells.sites.size(); ++k)
+  {
+    count += isEmpty(k) ? 0u : 1u;
+  }
+  if (count == cells.sites.size())
+  {
+    return;
+  }
+  Buffer<std::int32_t> offsets, sites;
+  offsets.allocate(count + 1);
+  sites.allocate(count);
+  offsets[0] = 0;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < cells.sites.size(); ++k)
+  {
+    if (!isEmpty(k))
+    {
+      sites[kept] = cells.sites[k];
+      offsets[++kept] = cells.offsets[k + 1];
+    }
+  }
+  cells.offsets = std::move(offsets);
+  cells.sites = std::move(sites);
 }
 
 std::size_t voronoiMemoryEstimate(std::size_t pointCount)

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One execution: input and settings into a job, its run, the outputs: Filters/Execution/vtkAHDExecution.h."""
 
+import math
 import os
+import re
 import time
 import types
 
@@ -16,8 +18,8 @@ SKIPPED = 1 | 2  # vtkDataSetAttributes' DUPLICATEPOINT and HIDDENPOINT
 STEP, SILENCE = 0.01, 1.0 / 12.0  # of the whole; seconds, at most
 MOST_BYTES = 2**62
 MOST_THREADS = 1024
-INPUT = ("points", "skip", "source_points", "line_ids", "line_offsets", "loop_ids", "loop_offsets", "matrix", "surface",
-         "surface_edges")
+INPUT = ("points", "skip", "source_points", "line_ids", "line_offsets", "loop_ids", "loop_offsets", "matrix",
+         "voronoi_polygon", "surface", "surface_edges")
 
 
 def threads_to_use(backend, wished):
@@ -33,6 +35,19 @@ def threads_to_use(backend, wished):
     else:
         limit = max(1, tools.GetEstimatedNumberOfThreads())
     return min(engine.processors(), limit, MOST_THREADS)
+
+
+def corners_in(text):
+    """(n, 2): the pairs of numbers in VoronoiPolygon; NaN for what is none."""
+
+    def number(word):
+        try:
+            return float(word)
+        except ValueError:
+            return math.nan
+
+    numbers = [number(word) for word in re.split(r"[\s,;]+", text) if word]
+    return numpy.array(numbers + [math.nan] * (len(numbers) % 2), numpy.float64).reshape(-1, 2)
 
 
 def let_go(job):
@@ -133,6 +148,8 @@ class Execution:
         self.job.set(**{name: values[of_filter] for name, of_filter in table.SAME.items()})
         for name, on in (("triangles", "AlphaTris"), ("lines", "AlphaLines"), ("vertices", "AlphaVerts")):
             self.job.set(**{"alpha_" + name: bool(values[on])})
+        if values["GenerateVoronoi"] and values["VoronoiClip"] == engine.CLIP_POLYGON:
+            self.job.set_array("voronoi_polygon", corners_in(values["VoronoiPolygon"]))
         limit = values["MemoryLimit"]
         self.job.set(
             bounding=self.found.adds_bounding, skip_mask=SKIPPED,

@@ -58,7 +58,7 @@ def error_text(status, job, more):
     if status == engine.CANCELLED:
         return None
     if status == engine.BAD_ARRAY:
-        return not_computed(more)
+        return not_computed(more.replace('"voronoi_polygon"', "VoronoiPolygon"))
     if status > engine.TOO_MANY_CROSSINGS:
         return "%s. The output is empty." % more
     return said(engine.SAY_REFUSAL, {"reason": status}, job)[0]

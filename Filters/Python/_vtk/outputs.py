@@ -5,6 +5,7 @@ import math
 
 import numpy
 
+from .. import _library as engine
 from . import table
 from .arrays import (GHOSTS, cell_array, coordinates, id_list, new_array, remove_arrays_of_one_name, replace_array,
                      view, write_series)
@@ -119,6 +120,15 @@ def _write_in_plane(job, xyz):
         xyz[begin:begin + block, :2], xyz[begin:begin + block, 2] = part, 0.0
 
 
+def _leave_out_empty(offsets, sites):
+    """Cells without corners, on which filters of VTK crash."""
+    ends, ids = view(offsets), view(sites)
+    kept = numpy.flatnonzero(ends[1:] != ends[:-1])
+    ends[1:len(kept) + 1], ids[:len(kept)] = ends[kept + 1], ids[kept]
+    offsets.SetNumberOfTuples(len(kept) + 1)
+    sites.SetNumberOfTuples(len(kept))
+
+
 class Diagram:
     """Output port 2: the Voronoi diagram."""
 
@@ -140,6 +150,8 @@ class Diagram:
             if len(write):
                 job.array(name, out=write)
             made.append(data)
+        if job.get("voronoi_clip") == engine.CLIP_POLYGON:
+            _leave_out_empty(made[0], made[2])
         polygons = vtk.vtkCellArray()
         polygons.SetData(made[0], made[1])
         self.output.SetPolys(polygons)

@@ -134,10 +134,17 @@ DELAUNAY = (
      'last place may be merged. Constraints are ignored.',
      None, None, ()),
     ("VoronoiClip", "enum", 0,
-     'Where the outer polygons of the Voronoi diagram, which are unbounded, are clipped. Hull: at the convex '
-     'hull of the points. Bounds: at their bounding box. Default: CLIP_TO_HULL. Both are those of the vertices, '
-     'in the plane of the triangulation.',
-     0, 1, ('Hull', 'Bounds')),
+     'Where the polygons of the Voronoi diagram, of which the outer ones are unbounded, are clipped. Hull: at '
+     'the convex hull of the points. Bounds: at their bounding box. Polygon: at Voronoi Polygon. Default: '
+     'CLIP_TO_HULL. Hull and bounds are those of the vertices, in the plane of the triangulation.',
+     0, 2, ('Hull', 'Bounds', 'Polygon')),
+    ("VoronoiPolygon", "text", '',
+     'Two opposite corners of a box, or the corners of a convex polygon in their order: x y, x y, ... in the '
+     'plane of the triangulation. The Voronoi polygon of each vertex is the part of it that is nearer to that '
+     'vertex than to any other, however few or collinear the vertices are; vertices without a part have none. '
+     'Used if Voronoi Clip is Polygon. Default "". Numbers are separated by blanks, commas or semicolons. '
+     'Corners that are no convex polygon are an error of the execution.',
+     None, None, ()),
     ("InsertionOrder", "enum", 0,
      'The order in which the points are inserted. It changes the time, never the triangles. Adaptive Hilbert '
      '(HG), the fastest: boxes, divided where points are crowded, visited along a Hilbert curve. Multi-grid '
@@ -281,6 +288,7 @@ DELAUNAY_CONSTANTS = {
     "MEAN_Z": 3,
     "CLIP_TO_HULL": 0,
     "CLIP_TO_BOUNDS": 1,
+    "CLIP_TO_POLYGON": 2,
     "ADAPTIVE_HILBERT": 0,
     "MULTI_GRID": 1,
     "REGULAR_GRID": 2,

@@ -460,6 +460,33 @@ static void test_rims(void)
   CHECK_OK(job, ahd_set_int(job, "voronoi_clip", AHD_CLIP_BOUNDS));
   CHECK_OK(job, ahd_run(job));
   ARE(job, "voronoi_offsets", 0, 4, 8, 12, 16);
+  {
+    static const double polygon[] = { -1, -1, -1, 9, 9, -1, 0,
+      0 }; /* the lower left half of a box */
+    ahd_array corners = { polygon, AHD_FLOAT64, 2, 3, 2 * sizeof(double), sizeof(double) };
+    uint64_t estimate = 0;
+    CHECK_OK(job, ahd_set_int(job, "voronoi_clip", AHD_CLIP_POLYGON));
+    CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_run(job)); /* there is none */
+    CHECK_SAYS(job, "\"voronoi_polygon\" has no area");
+    CHECK_OK(job, ahd_set_array(job, "voronoi_polygon", &corners));
+    CHECK_OK(job, ahd_estimate(job, &estimate));
+    CHECK_OK(job, ahd_run(job));
+    ARE(job, "voronoi_sites", 0, 1, 2, 3);
+    corners.rows = 2; /* a box of no width */
+    CHECK_OK(job, ahd_set_array(job, "voronoi_polygon", &corners));
+    CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_run(job));
+    CHECK_SAYS(job, "has no area");
+    corners.rows = 4;
+    CHECK_OK(job, ahd_set_array(job, "voronoi_polygon", &corners));
+    CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_run(job));
+    CHECK_SAYS(job, "is not convex");
+    corners.type = AHD_FLOAT32;
+    CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_set_array(job, "voronoi_polygon", &corners));
+    CHECK_OK(job, ahd_set_int(job, "want_voronoi", 0));
+    CHECK_OK(job, ahd_run(job)); /* not looked at */
+    CHECK_OK(job, ahd_set_int(job, "want_voronoi", 1));
+    CHECK_OK(job, ahd_set_int(job, "voronoi_clip", AHD_CLIP_HULL));
+  }
   CHECK_OK(job, ahd_set_array(job, "points", NULL));
   CHECK_OK(job, ahd_run(job)); /* of no points */
   ARE(job, "voronoi_offsets", 0);

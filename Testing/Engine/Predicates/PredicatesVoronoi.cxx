@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The arithmetic of Voronoi cells (Predicates/Circles.h, Voronoi/Circumcentre.h, Voronoi/ClipBox.h)
+// The arithmetic of Voronoi cells (Predicates/Circles.h, Voronoi/Circumcentre.h,
+// Voronoi/ConvexPolygon.h)
 // and the distances of merging (Merge.h), against rational arithmetic over the whole range of
 // double.
 #include "PredicatesExtremes.h"
@@ -11,7 +12,7 @@
 
 #include "Merge/Merge.h"
 #include "Voronoi/Circumcentre.h"
-#include "Voronoi/ClipBox.h"
+#include "Voronoi/ConvexPolygon.h"
 
 #include <gtest/gtest.h>
 
@@ -228,15 +229,20 @@ private:
       bounds = { std::min(bounds.xmin, p.x), std::max(bounds.xmax, p.x), std::min(bounds.ymin, p.y),
         std::max(bounds.ymax, p.y) };
     }
-    const ClipBox box(bounds);
-    if (!box.hasArea() || q[0] == q[1])
+    const ConvexPolygon box({ { bounds.xmin, bounds.ymin }, { bounds.xmax, bounds.ymax } });
+    if (box.fault() != PolygonFault::None || q[0] == q[1])
     {
       return true;
     }
-    const unsigned at = box.exitOf(q[0], q[1]);
-    const auto side = [&](unsigned k)
+    ConvexPolygon::Crossing crossing;
+    if (!expect(box.isCrossed(q[0], q[1], crossing), "a box is left"))
     {
-      const Vector toP = between(box.corner(k % 4), q[0]), toQ = between(box.corner(k % 4), q[1]);
+      return false;
+    }
+    const std::uint32_t at = crossing.exit;
+    const auto side = [&](std::uint32_t k)
+    {
+      const Vector toP = between(box.corner(k), q[0]), toQ = between(box.corner(k), q[1]);
       return sgn(mpq_class(dot(toQ, toQ) - dot(toP, toP)));
     };
     const bool isCorner = at % 2 == 0;

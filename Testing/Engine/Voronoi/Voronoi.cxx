@@ -7,6 +7,7 @@
 #include "Executors.h"
 #include "ListOf.h"
 
+#include "Voronoi/ConvexPolygon.h"
 #include "Voronoi/Voronoi.h"
 
 #include <gtest/gtest.h>
@@ -453,17 +454,23 @@ TEST(Voronoi, CanBeCancelledAtAnyAsking)
 {
   // as many under sanitizers, too: with fewer it polls too seldom
   Made made(makePoints(Distribution::Uniform, 6000, 2), VoronoiClip::Hull);
-  for (const VoronoiClip clip : kClips)
+  const ConvexPolygon polygon({ { 0.1, 0.1 }, { 2.0, 0.7 }, { 0.3, 0.8 } });
+  VoronoiCells cells;
+  const auto make = [&](VoronoiClip clip, Progress& progress)
+  {
+    const Context context{ &progress, nullptr };
+    return clip == VoronoiClip::Polygon ? voronoiCells(made.engine.made, polygon, cells, context)
+                                        : voronoiCells(made.engine.made, clip, cells, context);
+  };
+  for (const VoronoiClip clip : { VoronoiClip::Hull, VoronoiClip::Bounds, VoronoiClip::Polygon })
   {
     StopAt never(0);
-    VoronoiCells cells;
-    ASSERT_EQ(voronoiCells(made.engine.made, clip, cells, { &never, nullptr }), Status::Ok);
+    ASSERT_EQ(make(clip, never), Status::Ok);
     ASSERT_GT(never.asked, 3u);
     for (std::size_t at = 1; at <= never.asked; ++at)
     {
       StopAt progress(at);
-      EXPECT_EQ(
-        voronoiCells(made.engine.made, clip, cells, { &progress, nullptr }), Status::Cancelled);
+      EXPECT_EQ(make(clip, progress), Status::Cancelled);
       EXPECT_TRUE(cells.sites.empty() && cells.points.empty() && cells.corners.empty());
     }
   }

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Corners of Voronoi cells, each cell against the exact one: for vertices a few units
-// in the last place apart, in tiny clusters, on rounded lattices, and at
-// the ends of the range of double.
+// Corners of Voronoi cells, each cell against the exact one, clipped at the hull, the box and
+// polygons whose corners lie on, between and beside the vertices: for vertices a few units in the
+// last place apart, in tiny clusters, on rounded lattices, and at the ends of the range of double.
 #include "Distributions.h"
 #include "EngineRun.h"
 #include "ExactSigns.h"
 #include "VoronoiOracle.h"
 
+#include "Voronoi/ConvexPolygon.h"
 #include "Voronoi/Voronoi.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -153,22 +155,86 @@ std::string faultsOf(const std::vector<Point>& points, VoronoiClip clip)
   return faultsOfCells(viewOf(points), clip, cells);
 }
 
-void expectRight(const std::vector<Point>& points)
+std::string faultsIn(const std::vector<Point>& points, const std::vector<Point>& corners)
+{
+  const ConvexPolygon polygon(corners);
+  Engine engine;
+  VoronoiCells cells;
+  if (polygon.fault() != PolygonFault::None || engine.run(viewOf(points)) != Status::Ok ||
+    voronoiCells(engine.made, polygon, cells, {}) != Status::Ok)
+  {
+    return "no cells";
+  }
+  const auto inserted = engine.made.report().inserted;
+  return cells.sites.size() != inserted ? "not a cell for each vertex"
+                                        : faultsOfCells(viewOf(points), corners, cells);
+}
+
+/// Their convex hull, counterclockwise, without corners on straight sides; without an area, none.
+std::vector<Point> hullOf(std::vector<Point> points)
+{
+  std::sort(points.begin(), points.end(), lexicographicallyLess);
+  std::vector<Point> hull;
+  for (int half = 0; half < 2; ++half)
+  {
+    const std::size_t begin = hull.size();
+    for (const Point& p : points)
+    {
+      while (hull.size() > begin + 1 && orientSign(hull[hull.size() - 2], hull.back(), p) <= 0)
+      {
+        hull.pop_back();
+      }
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull.size() < 3 ? std::vector<Point>() : hull;
+}
+
+/// A polygon around some of the vertices, middles of two, and others with the x of one and the y of
+/// another: its sides are often edges of the diagram, and its corners centres.
+std::vector<Point> polygonNear(const std::vector<Point>& points, Sets& sets)
+{
+  const auto any = [&] { return points[sets.below(points.size())]; };
+  std::vector<Point> corners;
+  for (std::size_t count = 3 + sets.below(5); count > 0; --count)
+  {
+    const Point p = any(), q = any();
+    const std::size_t kind = sets.below(4);
+    corners.push_back(kind == 0 ? p
+        : kind == 1             ? Point{ p.x, q.y }
+        : kind == 2             ? Point{ 0.5 * p.x + 0.5 * q.x, 0.5 * p.y + 0.5 * q.y }
+                                : Point{ 1.5 * p.x - 0.5 * q.x, 1.5 * p.y - 0.5 * q.y });
+  }
+  corners.erase(
+    std::remove_if(corners.begin(), corners.end(), [](const Point& p) { return !isFinite(p); }),
+    corners.end());
+  return hullOf(corners);
+}
+
+void expectRight(const std::vector<Point>& points, std::uint64_t seed = 1)
 {
   for (const VoronoiClip clip : { VoronoiClip::Hull, VoronoiClip::Bounds })
   {
     EXPECT_EQ(faultsOf(points, clip), "") << "clip " << int(clip) << ":" << textOf(points);
   }
+  Sets sets(seed);
+  const std::vector<Point> polygon = polygonNear(points, sets);
+  if (!polygon.empty())
+  {
+    EXPECT_EQ(faultsIn(points, polygon), "") << textOf(points) << " in" << textOf(polygon);
+  }
 }
 
-/// All cells of so many sets, clipped either way.
+/// All cells of so many sets, clipped in any way.
 template <typename Draw>
 void expectAllRight(std::size_t count, Draw draw)
 {
   for (std::uint64_t seed = 1; seed <= reduced(count); ++seed)
   {
     Sets sets(seed);
-    expectRight(draw(sets));
+    expectRight(draw(sets), seed);
   }
 }
 
@@ -195,6 +261,46 @@ TEST(VoronoiCorners, OfLatticesByRepeatedAddition)
 TEST(VoronoiCorners, AtTheEndsOfTheRange)
 {
   expectAllRight(120, [](Sets& sets) { return sets.extremes(); });
+}
+
+/// Collinear vertices, two and one have cells in a polygon.
+TEST(VoronoiCorners, OfLinesAndSinglePoints)
+{
+  expectAllRight(300,
+    [](Sets& sets)
+    {
+      const Point start{ double(sets.below(5)), double(sets.below(5)) };
+      const double x = double(sets.below(3)), y = double(sets.below(3));
+      std::vector<Point> result(1 + sets.below(4), start);
+      for (Point& p : result)
+      {
+        const double along = double(sets.below(6));
+        p = { start.x + along * x, start.y + along * y };
+      }
+      return result;
+    });
+  const std::vector<Point> triangle = { { 0, 0 }, { 6, 0 }, { 0, 6 } };
+  for (const std::vector<Point>& points : { std::vector<Point>{ { 1, 1 } }, { { 9, 9 } },
+         { { 1, 1 }, { 2, 2 } }, { { 7, 7 }, { 8, 8 } }, { { 1, 1 }, { 5, 5 }, { 9, 9 } },
+         { { 2, 2 }, { 2, 2 } }, { { -1, 1 }, { 1, 1 } }, { { 0, 6 }, { 0, -6 } } })
+  {
+    EXPECT_EQ(faultsIn(points, triangle), "") << textOf(points);
+  }
+}
+
+/// Whatever lies in small whole numbers: edges along sides and through corners, centres on both.
+TEST(VoronoiCorners, OfSmallLattices)
+{
+  expectAllRight(600,
+    [](Sets& sets)
+    {
+      std::vector<Point> result(1 + sets.below(9));
+      for (Point& p : result)
+      {
+        p = { double(sets.below(5)), double(sets.below(5)) };
+      }
+      return result;
+    });
 }
 
 /// Found in users' data: cells that reached along the border up to the far corner.

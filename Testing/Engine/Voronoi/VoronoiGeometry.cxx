@@ -4,7 +4,7 @@
 // doubles, and the clipping box.
 #include "Arithmetic/DoubleDouble.h"
 #include "Voronoi/Circumcentre.h"
-#include "Voronoi/ClipBox.h"
+#include "Voronoi/ConvexPolygon.h"
 
 #include "ExactSigns.h"
 
@@ -237,6 +237,14 @@ TEST(VoronoiGeometry, SumsOfTwoDoublesHaveAHundredBits)
   }
 }
 
+std::uint32_t exitOf(const ConvexPolygon& polygon, const Point& p, const Point& q)
+{
+  ConvexPolygon::Crossing crossing, back;
+  EXPECT_TRUE(polygon.isCrossed(p, q, crossing) && polygon.isCrossed(q, p, back));
+  EXPECT_TRUE(crossing.entry == back.exit && crossing.exit == back.entry);
+  return crossing.exit;
+}
+
 /// Where a bisector leaves the box, and the corners passed.
 TEST(VoronoiGeometry, OneLeavesTheBoxWhereTheBisectorDoes)
 {
@@ -244,11 +252,11 @@ TEST(VoronoiGeometry, OneLeavesTheBoxWhereTheBisectorDoes)
   for (int i = 0; i < 5000; ++i)
   {
     const double size = i % 3 == 0 ? kLargest : i % 3 == 1 ? 0.1 : 1.0;
-    const ClipBox box(Bounds{ -size, size, -size * 0.7, size });
+    const ConvexPolygon box({ { size, -size * 0.7 }, { -size, size } });
     const Point p{ size * numbers.any(), 0.7 * size * numbers.any() };
     const Point q = i % 2 == 0 ? Point{ p.x, std::nextafter(p.y, size) }
                                : Point{ size * numbers.any(), 0.7 * size * numbers.any() };
-    const unsigned at = box.exitOf(p, q);
+    const std::uint32_t at = exitOf(box, p, q);
     ASSERT_LT(at, 8u);
     if (at % 2 == 0)
     {
@@ -270,13 +278,13 @@ TEST(VoronoiGeometry, OneLeavesTheBoxWhereTheBisectorDoes)
 
 TEST(VoronoiGeometry, OneLeavesTheBoxInACorner)
 {
-  const ClipBox box(Bounds{ 0, 4, 0, 4 });
-  EXPECT_EQ(box.exitOf({ 1, 2 }, { 2, 1 }), 4u) << "to the upper right";
-  EXPECT_EQ(box.exitOf({ 2, 1 }, { 1, 2 }), 0u) << "to the lower left";
-  EXPECT_EQ(box.exitOf({ 1, 2 }, { 2, 3 }), 6u) << "to the upper left";
-  EXPECT_EQ(box.exitOf({ 2, 3 }, { 1, 2 }), 2u) << "to the lower right";
-  EXPECT_EQ(box.exitOf({ 1, 2 }, { 2, std::nextafter(1.0, 2.0) }), 5u) << "nearly, above";
-  EXPECT_EQ(box.exitOf({ 1, 2 }, { 2, std::nextafter(1.0, 0.0) }), 3u) << "nearly, to the right";
+  const ConvexPolygon box({ { 0, 0 }, { 4, 4 } });
+  EXPECT_EQ(exitOf(box, { 1, 2 }, { 2, 1 }), 4u) << "to the upper right";
+  EXPECT_EQ(exitOf(box, { 2, 1 }, { 1, 2 }), 0u) << "to the lower left";
+  EXPECT_EQ(exitOf(box, { 1, 2 }, { 2, 3 }), 6u) << "to the upper left";
+  EXPECT_EQ(exitOf(box, { 2, 3 }, { 1, 2 }), 2u) << "to the lower right";
+  EXPECT_EQ(exitOf(box, { 1, 2 }, { 2, std::nextafter(1.0, 2.0) }), 5u) << "nearly, above";
+  EXPECT_EQ(exitOf(box, { 1, 2 }, { 2, std::nextafter(1.0, 0.0) }), 3u) << "nearly, to the right";
 }
 
 /// Centres rounded onto a side are decided by their sign.
@@ -287,9 +295,12 @@ TEST(VoronoiGeometry, ABoxHasTheCentresThatAreInIt)
   {
     const Corners t{ a, b, { 1.5, y } };
     const Point centre = circumcentre(t);
-    const ClipBox box(Bounds{ 0, 3, 0, 9 });
-    EXPECT_EQ(box.hasCentre(t, centre), y >= 1.5) << y;
-    EXPECT_EQ(box.hasCentre(t, { 1.5, 0.0 }), y >= 1.5) << "if it is rounded onto the side, " << y;
+    const ConvexPolygon box({ { 0, 0 }, { 3, 9 } });
+    const bool isInside = y > 1.5;
+    EXPECT_EQ(box.sideBeyond(t, centre), isInside ? ConvexPolygon::kNoSide : 0u) << y;
+    EXPECT_EQ(box.sideBeyond(t, { 1.5, 0.0 }), isInside ? ConvexPolygon::kNoSide : 0u)
+      << "if it is rounded onto the side, " << y;
+    EXPECT_EQ(box.sideOf(0, t, centre), y > 1.5 ? 1 : y < 1.5 ? -1 : 0);
   }
 }
 

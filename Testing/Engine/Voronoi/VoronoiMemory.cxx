@@ -6,6 +6,7 @@
 #include "EngineRun.h"
 #include "OwnMemory.h"
 
+#include "Voronoi/ConvexPolygon.h"
 #include "Voronoi/Voronoi.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +34,16 @@ struct Given
   Engine engine;
 };
 
-const VoronoiClip kClips[] = { VoronoiClip::Hull, VoronoiClip::Bounds };
+const VoronoiClip kClips[] = { VoronoiClip::Hull, VoronoiClip::Bounds, VoronoiClip::Polygon };
+
+/// With a box of the caller's own, in which half of the vertices lie, as polygon.
+Status makeCells(Given& given, VoronoiClip clip, VoronoiCells& cells)
+{
+  static const ConvexPolygon box({ { 0.1, 0.2 }, { 0.8, 0.9 } });
+  Triangulation& delaunay = given.engine.made;
+  return clip == VoronoiClip::Polygon ? voronoiCells(delaunay, box, cells, {})
+                                      : voronoiCells(delaunay, clip, cells, {});
+}
 
 TEST(VoronoiMemory, NoMoreThanEstimated)
 {
@@ -49,8 +59,9 @@ TEST(VoronoiMemory, NoMoreThanEstimated)
         const std::size_t before = account.held;
         account.peak = before;
         VoronoiCells cells;
-        ASSERT_EQ(voronoiCells(given.engine.made, clip, cells, {}), Status::Ok);
-        EXPECT_LE(account.peak - before, voronoiMemoryEstimate(n))
+        ASSERT_EQ(makeCells(given, clip, cells), Status::Ok);
+        const std::size_t corners = clip == VoronoiClip::Polygon ? 4 : 0;
+        EXPECT_LE(account.peak - before, voronoiMemoryEstimate(n + corners))
           << nameOf(d) << ", " << n << ", clip " << int(clip);
       }
     }
@@ -61,12 +72,12 @@ TEST(VoronoiMemory, NoMoreThanEstimated)
 TEST(VoronoiMemory, NotMuchMoreIsEstimatedThanTaken)
 {
   Given given(makePoints(Distribution::Uniform, 50000, 1));
-  for (const VoronoiClip clip : kClips)
+  for (const VoronoiClip clip : { VoronoiClip::Hull, VoronoiClip::Bounds })
   {
     const std::size_t before = account.held;
     account.peak = before;
     VoronoiCells cells;
-    ASSERT_EQ(voronoiCells(given.engine.made, clip, cells, {}), Status::Ok);
+    ASSERT_EQ(makeCells(given, clip, cells), Status::Ok);
     EXPECT_GE(3 * (account.peak - before), 2 * voronoiMemoryEstimate(50000));
   }
 }
@@ -86,7 +97,7 @@ TEST(VoronoiMemory, FailureOfAnyAllocationIsReported)
       {
         account.allocations = 0;
         account.failAt = at;
-        status = voronoiCells(given.engine.made, clip, cells, {});
+        status = makeCells(given, clip, cells);
         account.failAt = 0;
         if (status != Status::Ok)
         {

@@ -15,6 +15,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace
 {
@@ -115,6 +117,71 @@ TEST(VoronoiOutput, FillsHullOrBox)
   filter->SetVoronoiClipToBounds();
   filter->Update();
   EXPECT_NEAR(wholeArea(filter->GetOutput(2)), 9.0, 1e-12);
+}
+
+/// Cells that are empty there are left out.
+TEST(VoronoiOutput, FillsAPolygonOfOnesOwn)
+{
+  std::vector<Xyz> xyz = ahdtest::scatteredPoints(300); // within 0 to 1
+  WatchedFilter filter;
+  filter->SetInputData(cloudWithData(xyz));
+  filter->GenerateVoronoiOn();
+  filter->SetVoronoiClipToPolygon();
+  filter->SetVoronoiPolygon("-1 -1, 3 0; 0.5 2.5");
+  filter->Update();
+  EXPECT_NEAR(wholeArea(filter->GetOutput(2)), 6.25, 1e-12);
+  EXPECT_EQ(filter->GetOutput(2)->GetNumberOfCells(), 300);
+  filter->SetVoronoiPolygon("0.75 0.25 0.25 0.5"); // a box
+  filter->Update();
+  vtkPolyData* const cells = filter->GetOutput(2);
+  EXPECT_NEAR(wholeArea(cells), 0.125, 1e-14);
+  EXPECT_LT(cells->GetNumberOfCells(), 100);
+  const auto ids = idsOf(cells->GetCellData(), "OriginalPointIds");
+  auto* heights = vtkDoubleArray::SafeDownCast(cells->GetCellData()->GetScalars());
+  ASSERT_EQ(vtkIdType(ids.size()), cells->GetNumberOfCells());
+  ASSERT_EQ(heights->GetNumberOfValues(), cells->GetNumberOfCells());
+  for (std::size_t k = 0; k < ids.size(); ++k)
+  {
+    EXPECT_EQ(heights->GetValue(vtkIdType(k)), 0.5 * double(ids[k]));
+    EXPECT_TRUE(k == 0 || ids[k - 1] < ids[k]);
+  }
+  for (const std::size_t count : { 1, 2 })
+  {
+    xyz.resize(count);
+    filter->SetInputData(cloudWithData(xyz));
+    filter->SetVoronoiPolygon("0, 0, 1, 1");
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput(2)->GetNumberOfCells(), vtkIdType(count));
+    EXPECT_NEAR(wholeArea(filter->GetOutput(2)), 1.0, 1e-15);
+  }
+  EXPECT_TRUE(filter.Said->Errors.empty());
+}
+
+TEST(VoronoiOutput, RefusesAPolygonThatIsNone)
+{
+  WatchedFilter filter;
+  filter->SetInputData(ahdtest::makeCloud(ahdtest::scatteredPoints(20)));
+  filter->SetVoronoiClipToPolygon();
+  filter->Update();
+  EXPECT_TRUE(filter.Said->Errors.empty()) << "there is no diagram";
+  filter->GenerateVoronoiOn();
+  const std::pair<const char*, const char*> texts[] = { { "", "has no area" },
+    { "0 0, 1 1, 2 2", "has no area" }, { "3 0, 3 7", "has no area" },
+    { "0 0, 1 0, 1 one", "has a coordinate that is not a finite number" },
+    { "0 0, 1 0, 1 1e999", "has a coordinate that is not a finite number" },
+    { "0 0, 1 0, 1 1, 5", "has a coordinate that is not a finite number" },
+    { "0 0, 4 0, 4 4, 1 1, 0 4", "is not convex" }, { "0 0, 1 1, 1 0, 0 1", "is not convex" } };
+  for (const auto& [text, fault] : texts)
+  {
+    filter.Said->Errors.clear();
+    filter->SetVoronoiPolygon(text);
+    filter->Update();
+    ASSERT_EQ(filter.Said->Errors.size(), 1u) << text;
+    EXPECT_NE(
+      filter.Said->Errors[0].find(std::string("VoronoiPolygon ") + fault), std::string::npos)
+      << filter.Said->Errors[0];
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  }
 }
 
 TEST(VoronoiOutput, IsThatOfThePointsWhateverIsDropped)

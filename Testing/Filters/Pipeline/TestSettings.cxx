@@ -110,7 +110,7 @@ TEST(Settings, BeyondVtkDelaunay2DAreOff)
   filter->SetRim(9);
   EXPECT_EQ(filter->GetRim(), Filter::TRIMMED);
   filter->SetVoronoiClip(9);
-  EXPECT_EQ(filter->GetVoronoiClip(), Filter::CLIP_TO_BOUNDS);
+  EXPECT_EQ(filter->GetVoronoiClip(), Filter::CLIP_TO_POLYGON);
   filter->SetMaximumEdgeLength(-2.0);
   EXPECT_EQ(filter->GetMaximumEdgeLength(), 0.0);
 }

@@ -182,6 +182,7 @@ def failures():
         return lambda: RanksCompare.run(some[RANK], settings, prepare=prepare)
 
     return {
+        "a polygon without an area": (with_(GenerateVoronoi=True, VoronoiClip=2), "VoronoiPolygon has no area"),
         "a limit on all": (with_(GenerateVoronoi=True, MemoryLimit=400), "GenerateVoronoi is computed on one rank"),
         "the limit's figure": (with_(Alpha=0.1, MemoryLimit=400), "MemoryLimit allows 409 KB"),
         "a limit where it is sent": (with_(GenerateNeighbors=True, MemoryLimit=int(last)),

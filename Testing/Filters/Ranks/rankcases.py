@@ -15,12 +15,13 @@ TABLE = json.loads(
 
 
 # Settings that have an effect only with others, and these.
-NEEDED = {"SourceHeights": {"SourceMode": 1}}
+NEEDED = {"SourceHeights": {"SourceMode": 1}, "VoronoiPolygon": {"GenerateVoronoi": True, "VoronoiClip": 2}}
 # Settings of all ranks, and settings without effect that the last rank has besides.
 WITHOUT_EFFECT = [
     ({"Rim": 1}, {"Rim": 0}),
     ({"Transform": True}, {"ProjectionPlaneMode": 1}),
     ({"SourceMode": 0}, {"SourceHeights": 1}),
+    ({"VoronoiClip": 1}, {"VoronoiPolygon": "0 0, 1 1"}),
     ({"BoundingTriangulation": 1}, {"BoundingTriangulation": 2}),
 ]
 
@@ -386,6 +387,8 @@ def known_gathered_cases(ranks):
         "neighbours": (with_sources(pieces(few, ranks), 6), dict(everything, GenerateNeighbors=True),
                        "GenerateNeighbors"),
         "voronoi": (pieces(few, ranks), dict(everything, GenerateVoronoi=True), "GenerateVoronoi"),
+        "voronoi in a polygon": (pieces(few, ranks), dict(
+            GenerateVoronoi=True, VoronoiClip=2, VoronoiPolygon="0.2 0.1, 0.9 0.4, 0.3 0.8"), "GenerateVoronoi"),
         "voronoi, floats": (pieces([tuple(round(c * 4096) / 4096 for c in p) for p in few], ranks, "float"),
                             {"GenerateVoronoi": True}, "GenerateVoronoi"),
         "voronoi, whole numbers": (pieces([tuple(float(round(c * 100)) for c in p) for p in few], ranks, "int"),

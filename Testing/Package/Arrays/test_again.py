@@ -51,7 +51,7 @@ def new_arrays(numbers):
         points[7, 1] = np.nan
     made = {"points": points, "skip": None, "source_points": None, "line_ids": None, "line_offsets": None,
             "loop_ids": None, "loop_offsets": None, "matrix": np.array(np.eye(4)[[1, 2, 0, 3]]),
-            "surface": None, "surface_edges": None}  # fmt: skip
+            "voronoi_polygon": numbers.random((3, 2)), "surface": None, "surface_edges": None}  # fmt: skip
     if count and numbers.random() < 0.3:
         made.update(surface_of(points, numbers))
         return made

@@ -110,6 +110,7 @@ def refusals():
     bad = {"bad_cell": 4, "begin": -1, "end": 7, "ids": 6}
     yield {"reason": engine.BAD_ARRAY, "cells": "polygons of the source", **bad}
     yield {"reason": engine.BAD_ARRAY}
+    yield {"reason": engine.BAD_ARRAY, "polygon_fault": "is not convex"}
     yield {"folded_triangles": 3, "triangles": 50}
     yield {"triangulation_is_null": 1}
     yield {"input_is_changed": 1}
@@ -193,7 +194,8 @@ class MessagesTest(unittest.TestCase):
         for text in self.texts("class"):
             self.assertEqual(set(re.findall(r"\b(?!vtk)\w*[a-z][A-Z]\w*", text)) - of_class - others, set(), text)
             self.assertNotRegex(text, r"AHD_|\w=|`")
-        of_c = {*engine.names(engine.INT_SETTINGS), *engine.names(engine.DOUBLE_SETTINGS)}
+        of_c = {*engine.names(engine.INT_SETTINGS), *engine.names(engine.DOUBLE_SETTINGS),
+                *engine.names(engine.INPUT_ARRAYS)}  # fmt: skip
         for text in self.texts("C"):
             quoted = set(re.findall(r'(?<!is )(?<!both )"(\w+)"', text))
             self.assertEqual(quoted - of_c, set(), text)

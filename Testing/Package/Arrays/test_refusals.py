@@ -24,7 +24,7 @@ FILE = pathlib.Path(__file__).with_name("Refusals.json")
 MODULES = ("_geometry.py", "_input.py", "_interpolators.py", "_names.py", "_raster.py", "_sampling.py",
            "_triangulate.py", "_triangulation.py")  # fmt: skip
 # Exceptions that are caught again, with other texts.
-INSIDE = (" is not a number",)
+INSIDE = (" is not a number", '"voronoi_polygon"')
 NOT_MUST = re.compile("(is|are|has|have) to (be|have) ")
 VALUES = np.arange(6.0)
 MADE = delaunay(SQUARE)
@@ -80,6 +80,12 @@ CALLS = {
     "method without places": lambda: MADE.interpolate(VALUES, method="natural"),
     "places to locate": lambda: MADE.locate([1, 1]),
     "clip": lambda: MADE.voronoi("box"),
+    "clip of four numbers": lambda: MADE.voronoi([0, 0, 1, 1]),
+    "clip of text": lambda: MADE.voronoi([["a", "b"]]),
+    "clip that is not finite": lambda: MADE.voronoi([[0, 0], [np.inf, 1]]),
+    "clip without an area": lambda: MADE.voronoi([[0, 0], [0, 1]]),
+    "voronoi_clip that is not convex": lambda: delaunay(SQUARE, voronoi_clip=[[0, 0], [1, 1], [1, 0], [0, 1]]),
+    "voronoi_clip in space": lambda: delaunay(SQUARE, voronoi_clip=np.zeros((3, 3))),
     "rescaled triangulation": lambda: LinearInterpolator(MADE, VALUES, rescale=True),
     "values of an interpolator": lambda: LinearInterpolator(SQUARE, VALUES[:5]),
     "text of an interpolator": lambda: LinearInterpolator(SQUARE, ["a"] * 6),

@@ -5,6 +5,7 @@ import copy
 import pickle
 import unittest
 import warnings
+from fractions import Fraction
 
 import numpy as np
 from adaptivehilbertdelaunay import DelaunayWarning, Kind, delaunay
@@ -20,6 +21,34 @@ def point_sets():
     yield "duplicates", np.repeat(cloud(3, 50), 3, axis=0)
     yield "small integers", np.random.default_rng(4).integers(0, 12, (150, 2)).astype(float)
     yield "far away", cloud(5) * 100 + [5e5, 4.5e6]
+
+
+def area_of(corners):
+    return sum(orient((0, 0), a, b) for a, b in zip(corners, [*corners[1:], *corners[:1]])) / 2
+
+
+def corners_of(polygon):
+    """In rational numbers, counterclockwise; of two corners a box."""
+    found = [tuple(map(Fraction, corner)) for corner in polygon]
+    if len(found) == 2:
+        xs, ys = map(sorted, zip(*found))
+        found = [(xs[0], ys[0]), (xs[1], ys[0]), (xs[1], ys[1]), (xs[0], ys[1])]
+    return found if area_of(found) > 0 else found[::-1]
+
+
+def nearest(polygon, vertex, vertices):
+    """The part of the polygon that is nearer to the vertex than to any other."""
+    for other in vertices:
+        found = []
+        for a, b in zip(polygon, [*polygon[1:], *polygon[:1]]):
+            # how much farther the other one is
+            at = [sum((p[k] - other[k]) ** 2 - (p[k] - vertex[k]) ** 2 for k in range(2)) for p in (a, b)]
+            found += [a] * (at[0] >= 0)
+            if at[0] * at[1] < 0:
+                part = at[0] / (at[0] - at[1])
+                found.append(tuple(a[k] + part * (b[k] - a[k]) for k in range(2)))
+        polygon = found
+    return polygon
 
 
 class DelaunayTest(unittest.TestCase):
@@ -125,6 +154,25 @@ class DelaunayTest(unittest.TestCase):
         with self.assertRaises(ValueError):
             made.voronoi("box")
 
+    def test_voronoi_in_a_polygon(self):
+        """A cell for each vertex: the part of the polygon that is nearest to it, cut out in rational arithmetic."""
+        points = np.round(cloud(11, 40) * 8) / 8  # ties
+        made = delaunay(points)
+        for corners in ([[0.25, 0.125], [0.75, 0.25], [0.5, 0.875]], [[-1, 0.5], [2, 0.5], [2, 3]], [[5, 5], [6, 7]],
+                        [[0.875, 0.25], [0.5, 0.75]], [[0, 0], [0, 1], [1, 1], [1, 0], [0, 0]]):  # fmt: skip
+            cells = made.voronoi(corners)
+            self.assertIs(made.voronoi(np.array(corners)), cells)
+            self.assertEqual(len(cells), made.counts["inserted"])
+            vertices = [tuple(map(Fraction, point)) for point in points[cells.sites].tolist()]
+            whole = corners_of(corners)
+            areas = [Fraction(area_of(nearest(whole, vertex, vertices))) for vertex in vertices]
+            self.assertEqual(sum(areas), area_of(whole))
+            for cell, area in zip(cells, areas):
+                self.assertEqual(len(cell) > 0, area > 0)
+                self.assertAlmostEqual(area_of(cell), float(area), 12)
+        with self.assertRaisesRegex(ValueError, "^clip is not convex, but it must be two opposite corners of a box"):
+            made.voronoi([[0, 0], [4, 0], [1, 1], [0, 4]])
+
     def test_fewer_than_three_points(self):
         for points in ([], [[1, 2]], [[1, 2], [3, 4]], [[1, 2], [1, 2], [1, 2]], np.empty((0, 3), np.float32)):
             if len(points):
@@ -138,6 +186,9 @@ class DelaunayTest(unittest.TestCase):
                 self.assertEqual(getattr(made, name).shape, (0, 2), name)
             self.assertEqual((made.hull.shape, len(made.point_status)), ((0,), len(points)))
             self.assertEqual(len(made.voronoi()), 0)
+            cells = made.voronoi([[0, 0], [4, 5]])
+            self.assertEqual(len(cells), len({tuple(point) for point in points}))
+            self.assertAlmostEqual(sum(area_of(cell) for cell in cells), 20.0 if len(points) else 0.0, 12)
 
 
 class ObjectTest(unittest.TestCase):

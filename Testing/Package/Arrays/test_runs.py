@@ -5,6 +5,7 @@ test_keywords.py."""
 import inspect
 import math
 import pathlib
+import pickle
 import re
 import unittest
 
@@ -95,6 +96,13 @@ class OutputTest(KeywordTest):
         np.testing.assert_array_equal(made.voronoi().points, delaunay(points).voronoi("bounds").points)
         self.assertIs(made.voronoi(), made.voronoi("bounds"))
         np.testing.assert_array_equal(made.voronoi("hull").points, delaunay(points).voronoi().points)
+        corners = np.array([[0.2, 0.1], [0.9, 0.4], [0.3, 0.8]])
+        made, expected = delaunay(points, voronoi_clip=corners), delaunay(points).voronoi(corners).points
+        corners[:] = 0  # they are copied
+        other = delaunay(points, clip=[[0.2, 0.1], [0.9, 0.4], [0.3, 0.8]])
+        for one in (made, other, pickle.loads(pickle.dumps(made))):
+            np.testing.assert_array_equal(one.voronoi().points, expected)
+            np.testing.assert_array_equal(one.voronoi("hull").points, delaunay(points).voronoi().points)
 
     def test_memory_limit(self):
         points = cloud(39, 10000)

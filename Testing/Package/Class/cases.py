@@ -280,6 +280,26 @@ def voronoi_in_a_box():
 
 
 @case
+def voronoi_in_a_polygon():
+    return full(), dict(GenerateVoronoi=True, VoronoiClip=2, VoronoiPolygon="20 30, 400 100; 100 300")
+
+
+@case
+def voronoi_of_two_points():
+    return cloud([(0, 0, 5), (2, 2, 6)]), dict(GenerateVoronoi=True, VoronoiClip=2, VoronoiPolygon="0 0 4 3")
+
+
+@case
+def voronoi_in_a_bow():
+    return full(), dict(GenerateVoronoi=True, VoronoiClip=2, VoronoiPolygon="0 0, 1 1, 1 0, 0 1")
+
+
+@case
+def voronoi_in_words():
+    return full(), dict(GenerateVoronoi=True, VoronoiClip=2, VoronoiPolygon="0 0, 1 one, 1")
+
+
+@case
 def tolerance_that_merges_all():
     return full(), dict(Tolerance=1.0, GeneratePointStatus=True)
 

@@ -201,6 +201,8 @@ FEATURES = (
     feature("Voronoi cells", dict(GenerateVoronoi=True), {}, ["triangles", "voronoi"]),
     feature("Voronoi cells, 4 arrays", dict(GenerateVoronoi=True), arrays=4),
     feature("Voronoi cells, circle", dict(GenerateVoronoi=True), points=on_circle),
+    feature("Voronoi cells, polygon", dict(GenerateVoronoi=True, VoronoiClip=2, VoronoiPolygon="0 0, 1 0, 0 1"),
+            {"voronoi_clip": [[0, 0], [1, 0], [0, 1]]}, ["triangles", "voronoi"]),
     feature("best-fitting plane", dict(ProjectionPlaneMode=2), {"plane": "best_fit"}, ["triangles"]),
     feature("plane and Voronoi cells", dict(ProjectionPlaneMode=2, GenerateVoronoi=True)),
     feature("bounding triangulation", dict(BoundingTriangulation=True), {"bounding": True}, ["triangles"]),

@@ -376,6 +376,19 @@ class VoronoiTest(unittest.TestCase):
             self.assertAlmostEqual(made.area, expected, delta=1e-6 * expected)
             self.assertTrue(numpy.array_equal(made["name"], made["OriginalPointIds"]))
 
+    def test_cells_cover_a_polygon(self):
+        mesh = mesh_of(scattered(100))
+        low, high = mesh.points[:, :2].min(axis=0), mesh.points[:, :2].max(axis=0)
+        for corners, cells in ([low - 1, high + 2], 100), ([low, high, [high[0], low[1]]], None):
+            made = mesh.adaptive.voronoi_2d(clip=corners)
+            width, height = corners[1] - corners[0]
+            whole = width * height / (len(corners) - 1)
+            self.assertAlmostEqual(made.area, whole, delta=1e-6 * whole)
+            self.assertEqual(made.n_cells, cells or len(set(made["OriginalPointIds"])))
+        self.assertLess(made.n_cells, 100)
+        with self.assertWarnsRegex(UserWarning, "There is no triangle"):
+            self.assertEqual(mesh_of(scattered(1)).adaptive.voronoi_2d(clip=[[0, 0], [2, 3]]).area, 6)
+
     def test_on_a_slope(self):
         points = scattered(100)
         points[:, 2] = points[:, 0]

@@ -68,6 +68,11 @@ ROWS = [
     ("to_raster", dict(cell_size=1, outside="far"), ValueError,
      "outside='far': it is one of 'none', 'nearest', 'boundary'"),
     ("voronoi_2d", dict(clip="box"), ValueError, "clip='box': it is one of 'hull', 'bounds'"),
+    ("voronoi_2d", dict(clip=(0, 0, 1, 1)), ValueError,
+     "clip must be 'hull', 'bounds' or corners, of shape (n, 2); of a box two, not (0, 0, 1, 1)"),
+    ("voronoi_2d", dict(clip=[[0, 0], [1, 0], [2, 0]]), ValueError,
+     "clip has no area, but it must be two opposite corners of a box, or the corners of a convex polygon in their "
+     "order. Nothing was computed."),
     ("sample", dict(places=pyvista.MultiBlock([MESH])), TypeError,
      "places are one mesh or an array, not a MultiBlock: its combine() is one mesh"),
     ("sample", dict(places=numpy.zeros((2, 4))), ValueError,

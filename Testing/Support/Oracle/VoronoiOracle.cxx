@@ -95,10 +95,16 @@ Polygon boxOf(const std::vector<Point>& vertices)
 class Judge
 {
 public:
-  Judge(const PointView& points, VoronoiClip clip, const VoronoiCells& cells)
+  /// `polygon`: where cells are clipped, if neither at the hull nor at the box.
+  Judge(const PointView& points, VoronoiClip clip, const std::vector<Point>& polygon,
+    const VoronoiCells& cells)
     : cells_(cells)
     , clip_(clip)
   {
+    for (const Point& p : polygon)
+    {
+      polygon_.push_back(exactly(p));
+    }
     for (const std::int32_t site : cells.sites)
     {
       vertices_.push_back(points[static_cast<std::size_t>(site)]);
@@ -116,13 +122,19 @@ public:
           hexText(vertices_[k]) + " " + fault;
       }
     }
-    return "";
+    mpq_class whole = 0;
+    for (std::size_t k = 0; k < vertices_.size() && !polygon_.empty(); ++k)
+    {
+      whole += twiceArea(exactCell(k));
+    }
+    const bool isFull = vertices_.empty() || whole == twiceArea(polygon_);
+    return isFull ? "" : "the exact cells do not fill the polygon";
   }
 
 private:
   Polygon exactCell(std::size_t k) const
   {
-    Polygon cell = boxOf(vertices_);
+    Polygon cell = polygon_.empty() ? boxOf(vertices_) : polygon_;
     for (std::size_t i = 0; clip_ == VoronoiClip::Hull && i < vertices_.size(); ++i)
     {
       for (std::size_t j = 0; j < vertices_.size(); ++j)
@@ -166,6 +178,11 @@ private:
   std::string faultOf(std::size_t k) const
   {
     const Polygon exact = exactCell(k);
+    const bool isEmpty = cells_.offsets[k] == cells_.offsets[k + 1];
+    if (!polygon_.empty() && (isEmpty || twiceArea(exact) == 0))
+    {
+      return isEmpty != (twiceArea(exact) == 0) ? "is empty, or should be" : "";
+    }
     const Vector site = exactly(vertices_[k]);
     Polygon found;
     mpq_class slack = 0, length = 0;
@@ -206,13 +223,20 @@ private:
   const VoronoiCells& cells_;
   const VoronoiClip clip_;
   std::vector<Point> vertices_;
+  Polygon polygon_;
 };
 
 } // namespace
 
 std::string faultsOfCells(const PointView& points, VoronoiClip clip, const VoronoiCells& cells)
 {
-  return Judge(points, clip, cells).faults();
+  return Judge(points, clip, {}, cells).faults();
+}
+
+std::string faultsOfCells(
+  const PointView& points, const std::vector<Point>& polygon, const VoronoiCells& cells)
+{
+  return Judge(points, VoronoiClip::Polygon, polygon, cells).faults();
 }
 
 } // namespace test

@@ -6,6 +6,7 @@
 #include "Voronoi/Voronoi.h"
 
 #include <string>
+#include <vector>
 
 namespace ahd
 {
@@ -20,6 +21,10 @@ namespace test
 /// vertices, as centres within that distance are one corner by definition. The area must be the
 /// exact one up to these errors.
 std::string faultsOfCells(const PointView& points, VoronoiClip clip, const VoronoiCells& cells);
+/// The same in a convex polygon, whose corners are given counterclockwise: cells without an area
+/// there must be empty, and the exact ones fill it.
+std::string faultsOfCells(
+  const PointView& points, const std::vector<Point>& polygon, const VoronoiCells& cells);
 
 } // namespace test
 } // namespace ahd

@@ -60,7 +60,7 @@ const SettingRow kSettingRows[] = {
   { "GenerateNeighbors", false, 0, 0, 1,
     [](Filter* f, double v) { f->SetGenerateNeighbors(v != 0); } },
   { "GenerateVoronoi", false, 0, 0, 1, [](Filter* f, double v) { f->SetGenerateVoronoi(v != 0); } },
-  { "VoronoiClip", false, 0, 0, 1,
+  { "VoronoiClip", false, 0, 0, 2,
     [](Filter* f, double v) { f->SetVoronoiClip(static_cast<int>(v)); } },
   { "InsertionOrder", false, 0, 0, 3,
     [](Filter* f, double v) { f->SetInsertionOrder(static_cast<int>(v)); } },
