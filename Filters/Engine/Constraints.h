@@ -18,7 +18,8 @@ enum class FillRule
   /// it, or if none does. Each loop that passes along an edge counts; an edge that loops pass as
   /// often one way as the other bounds nothing.
   Orientation = 0,
-  /// A region is kept if a way from the outside to it crosses loops an odd number of times.
+  /// A region is kept if a way from the outside to it crosses loops an odd number of times. Loops
+  /// along the same edges count as one.
   EvenOdd = 1
 };
 

@@ -72,7 +72,9 @@ Status triangulate(const PointView& points, const Options& options, Workspace& w
 /// Segments are taken in the order of the chains. A segment through vertices becomes edges from one
 /// to the next. A segment that crosses an edge of an earlier one is left out as a whole. A loop
 /// with a segment left out, or with an end that is not a vertex, bounds no region; its other
-/// segments are edges like those of lines. Without a triangle all segments count as withoutVertex.
+/// segments are edges like those of lines. With FillRule::EvenOdd loops along the same edges, in
+/// whatever direction and from whatever vertex, count as one. Without a triangle all segments count
+/// as withoutVertex.
 ///
 /// @pre `delaunay` has no constraints; offsets ascend
 /// @param delaunay consumed; `out` may be the same object

@@ -33,7 +33,7 @@ bool insertConstraints(State& state, const ConstraintView& given, FillRule rule,
   }
   state.hasMarks = true;
   Constrainer constrainer(state.constrained, state.tables.vertexOf, ticker);
-  if (!constrainer.insertAll(given, state.report.inserted))
+  if (!constrainer.insertAll(given, state.report.inserted, rule))
   {
     return false;
   }

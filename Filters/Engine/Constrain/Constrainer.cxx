@@ -2,9 +2,11 @@
 #include "Constrainer.h"
 
 #include "../Core/Chunks.h"
+#include "../Core/SortAsking.h"
 #include "InCurveOrder.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace ahd
 {
@@ -23,9 +25,10 @@ Constrainer::Constrainer(ConstrainedMesh& mesh, const Buffer<Index>& rankOf, Tic
 {
 }
 
-bool Constrainer::insertAll(const ConstraintView& constraints, std::size_t vertices)
+bool Constrainer::insertAll(const ConstraintView& constraints, std::size_t vertices, FillRule rule)
 {
   constraints_ = constraints;
+  rule_ = rule;
   InCurveOrder curve(mesh_, rankOf_, points_, ticker_);
   if (!curve.insertAll(constraints) || !begin(vertices))
   {
@@ -81,7 +84,8 @@ bool Constrainer::insertChain(std::size_t chain, const InCurveOrder& curve)
     isWhole = isWhole && outcome != Outcome::Missing;
     ticker_.finished(1);
   }
-  if (isLoop_ && isWhole && !useLoop())
+  bool isNew = false;
+  if (isLoop_ && isWhole && !(isNewLoop(isNew) && (!isNew || useLoop())))
   {
     return false;
   }
@@ -260,6 +264,33 @@ bool Constrainer::markEdge(Mesh::Halfedge h, bool isForward)
     grown_.add(loop_, isForward ? std::make_pair(from, to) : std::make_pair(to, from));
   }
   return ticker_.step();
+}
+
+/// Loops with the same edges count once where the number of loops decides.
+bool Constrainer::isNewLoop(bool& isNew)
+{
+  isNew = true;
+  if (rule_ != FillRule::EvenOdd || constraints_.chains - constraints_.lines < 2)
+  {
+    return true;
+  }
+  constexpr std::size_t kFew = 256, kPerLoop = 80; // bytes of a node with its vector
+  if (std::max(loop_.size(), loops_.size()) >= kFew)
+  {
+    grown_.take(kPerLoop + 2 * sizeof(std::uint64_t) * loop_.size());
+  }
+  std::vector<std::uint64_t> edges;
+  edges.reserve(loop_.size());
+  for (const auto& step : loop_)
+  {
+    edges.push_back(LoopEdges::keyOf(step.first, step.second));
+  }
+  if (!sortAsking(edges, ticker_, std::less<std::uint64_t>()))
+  {
+    return false;
+  }
+  isNew = loops_.insert(std::move(edges)).second;
+  return true;
 }
 
 bool Constrainer::useLoop()

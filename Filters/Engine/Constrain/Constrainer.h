@@ -11,6 +11,9 @@
 #include "Regions.h"
 #include "SegmentWalk.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -30,9 +33,10 @@ public:
 
   /// `vertices` of the mesh are expected to have edges, at most. Returns false if cancelled: the
   /// mesh is then unusable. Throws std::bad_alloc.
-  bool insertAll(const ConstraintView& constraints, std::size_t vertices);
+  bool insertAll(const ConstraintView& constraints, std::size_t vertices, FillRule rule);
 
-  /// The edges of loops; of loops that are whole only.
+  /// The edges of loops; of loops that are whole only, and with FillRule::EvenOdd of one of those
+  /// with the same edges.
   const LoopEdges& edges() const { return loopEdges_; }
   bool anyLoop() const { return anyLoop_; }
   ConstraintReport takeReport() { return std::move(report_); }
@@ -55,6 +59,7 @@ private:
   Index vertexOf(std::int64_t id) const;
   bool makeEdges(bool isForward);
   bool markEdge(Mesh::Halfedge h, bool isForward);
+  bool isNewLoop(bool& isNew);
   bool useLoop();
   std::pair<std::size_t, std::size_t> find(std::uint64_t segment) const;
   void prefetch(const std::int64_t* ids) const;
@@ -72,9 +77,11 @@ private:
   LoopEdges loopEdges_;
   std::size_t edges_ = 0; ///< that are constraints
   ConstraintView constraints_;
-  std::vector<std::uint64_t> firstSegment_;   ///< of each chain, among all segments
-  std::uint64_t segment_ = 0;                 ///< the current one
-  std::vector<std::pair<Index, Index>> loop_; ///< edges of the current chain, in its direction
+  FillRule rule_ = FillRule::Orientation;
+  std::vector<std::uint64_t> firstSegment_;    ///< of each chain, among all segments
+  std::uint64_t segment_ = 0;                  ///< the current one
+  std::vector<std::pair<Index, Index>> loop_;  ///< edges of the current chain, in its direction
+  std::set<std::vector<std::uint64_t>> loops_; ///< the sorted edges of each, with FillRule::EvenOdd
   bool isLoop_ = false;
   bool anyLoop_ = false;
   ConstraintReport report_;

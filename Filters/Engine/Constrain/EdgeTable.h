@@ -26,6 +26,12 @@ public:
     Value value;
   };
 
+  /// The same for both directions.
+  static std::uint64_t keyOf(Index u, Index v)
+  {
+    return std::uint64_t(std::min(u, v)) << 32 | std::max(u, v);
+  }
+
   explicit EdgeTable(Ticker& ticker)
     : ticker_(ticker)
     , taken_(ticker)
@@ -68,11 +74,6 @@ public:
 
 private:
   static constexpr std::uint64_t kFree = ~std::uint64_t(0); // of no edge: u < v
-
-  static std::uint64_t keyOf(Index u, Index v)
-  {
-    return std::uint64_t(std::min(u, v)) << 32 | std::max(u, v);
-  }
 
   static std::size_t roomFor(std::size_t edges)
   {

@@ -102,6 +102,15 @@ class ConstraintTest(KeywordTest):
         self.assertEqual(len(delaunay(SQUARE, lines=[ring], closed_lines_are_loops=False).triangles), 6)
         self.assertEqual(len(delaunay(SQUARE, lines=[ring], closed_lines_are_loops=True).triangles), 1)
 
+    def test_equal_loops_count_once(self):
+        points = lattice(9)
+        outer, hole = [0, 8, 80, 72], [20, 24, 60, 56]
+        for again in (hole, hole[::-1], hole[2:] + hole[:2], [20, 22, 24, 60, 56, 20]):
+            self.assertEqual(area(delaunay(points, loops=[outer, hole, again])), 48)
+            self.assertEqual(area(delaunay(points, loops=[outer, hole], lines=[again + again[:1]],
+                                           closed_lines_are_loops=True)), 48)  # fmt: skip
+        self.assertEqual(area(delaunay(points, loops=[outer, outer, outer])), 64)
+
     def test_crossings_left_out(self):
         with self.assertWarnsRegex(DelaunayWarning, "1 of 2 segments were left out.*chain 1 and crosses chain 0"):
             made = delaunay(SQUARE, segments=[(0, 2), (1, 3)], crossings="leave_out")
@@ -309,7 +318,7 @@ class PointTest(KeywordTest):
         with self.assertWarnsRegex(DelaunayWarning, "not collinear in space. To .* a wall, set plane='best_fit'"):
             delaunay([[0, 0, 0], [1, 1, 0], [2, 2, 1]])
         with self.assertWarnsRegex(DelaunayWarning, "loops keep none"):
-            delaunay(SQUARE, loops=[RING, RING])
+            delaunay(SQUARE, loops=RING[::-1], fill_rule="orientation")
 
     def test_the_warning_names_the_caller(self):
         with self.assertWarns(DelaunayWarning) as caught:

@@ -104,6 +104,14 @@ class DelaunayTest(unittest.TestCase):
         lines = mesh.adaptive.delaunay_2d(edge_source=mesh, closed_lines="lines")
         self.assertAlmostEqual(area(lines), 100)
 
+    def test_a_polygon_that_is_a_line_too(self):
+        """PyVista's own example of a square with two holes."""
+        square = pyvista.Polygon(n_sides=4, radius=8, fill=False).rotate_z(45)
+        holes = [pyvista.Polygon(center=center, n_sides=30, radius=1) for center in ((2, 3, 0), (-2, -3, 0))]
+        mesh = holes[0].append_polydata(holes[1], square)
+        hole = 15 * numpy.sin(2 * numpy.pi / 30)
+        self.assertAlmostEqual(area(mesh.adaptive.delaunay_2d(edge_source=mesh)), 128 - 2 * hole, 4)
+
     def test_orientation(self):
         mesh = mesh_of(box(0, 0, 10) + box(2, 2, 3)[::-1], faces=[4, 0, 1, 2, 3, 4, 4, 5, 6, 7])
         made = mesh.adaptive.delaunay_2d(edge_source=mesh, fill_rule="orientation")

@@ -9,8 +9,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 
 namespace ahd
 {
@@ -60,6 +63,7 @@ public:
     if (mesh_.triangleCount() > 0)
     {
       lay();
+      countUses();
       checkLeftOut();
       mesh_.checkDelaunay(fixed_);
     }
@@ -80,6 +84,7 @@ private:
   void lay();
   bool layOne(Way& way);
   void mark(std::int32_t from, std::int32_t to, const Way& way);
+  void countUses();
   const Way* findWay(std::size_t chain, std::size_t segment) const;
   void checkLeftOut();
   void checkCrossing(const Way& way, const Way& other);
@@ -209,17 +214,52 @@ bool ConstraintCertifier::layOne(Way& way)
 
 void ConstraintCertifier::mark(std::int32_t from, std::int32_t to, const Way& way)
 {
-  const bool counts = way.given.ofLoop && !broken_[way.given.chain];
-  for (const bool along : { true, false })
+  for (const std::int32_t h : { mesh_.findHalfEdge(from, to), mesh_.findHalfEdge(to, from) })
   {
-    const std::int32_t h = along ? mesh_.findHalfEdge(from, to) : mesh_.findHalfEdge(to, from);
     if (h != kNone)
     {
       fixed_[std::size_t(h)] = 1;
       earliest_[std::size_t(h)] = std::min(earliest_[std::size_t(h)], way.number);
-      LoopUses& uses = uses_[std::size_t(h)];
-      (along ? uses.along : uses.against) += counts ? 1 : 0;
     }
+  }
+}
+
+/// By whole loops; in even-odd those of the same edges are one.
+void ConstraintCertifier::countUses()
+{
+  using Edge = std::pair<std::int32_t, std::int32_t>;
+  std::map<std::size_t, std::vector<Edge>> loops;
+  for (const Way& way : ways_)
+  {
+    for (std::size_t k = 1;
+         way.given.ofLoop && !broken_[way.given.chain] && k < way.vertices.size(); ++k)
+    {
+      loops[way.given.chain].push_back({ way.vertices[k - 1], way.vertices[k] });
+    }
+  }
+  std::set<std::multiset<Edge>> known;
+  for (const auto& loop : loops)
+  {
+    std::multiset<Edge> edges;
+    for (const Edge& edge : loop.second)
+    {
+      edges.insert(std::minmax(edge.first, edge.second));
+    }
+    const bool counts = rule_ != FillRule::EvenOdd || known.count(edges) == 0;
+    for (const Edge& edge : loop.second)
+    {
+      for (const bool along : { true, false })
+      {
+        const std::int32_t h = along ? mesh_.findHalfEdge(edge.first, edge.second)
+                                     : mesh_.findHalfEdge(edge.second, edge.first);
+        if (h != kNone && counts)
+        {
+          LoopUses& uses = uses_[std::size_t(h)];
+          ++(along ? uses.along : uses.against);
+        }
+      }
+    }
+    known.insert(std::move(edges));
   }
 }
 

@@ -75,6 +75,7 @@ private:
   void fill(FillRule rule);
   void fillByOrientation(const std::vector<Accepted>& loops);
   void fillEvenOdd(const std::vector<Accepted>& loops);
+  std::vector<Accepted> withoutRepeated(const std::vector<Accepted>& loops) const;
   bool isInsideOdd(const std::vector<Accepted>& loops, const Triple& t) const;
   void number();
   std::map<Triple, int> regionsOf(

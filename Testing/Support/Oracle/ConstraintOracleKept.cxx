@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <set>
 #include <utility>
 
 namespace ahd
@@ -167,11 +169,38 @@ bool Definition::isInsideOdd(const std::vector<Accepted>& loops, const Triple& t
   return odd;
 }
 
+/// The segments of loops but for those along the same edges as an earlier one.
+std::vector<Accepted> Definition::withoutRepeated(const std::vector<Accepted>& loops) const
+{
+  std::map<std::size_t, std::multiset<EdgeIds>> edges;
+  for (const Accepted& s : loops)
+  {
+    for (const EdgeIds& edge : result_.edges)
+    {
+      if (lies(edge.first, s.from, s.to) && lies(edge.second, s.from, s.to))
+      {
+        edges[s.chain].insert(edge);
+      }
+    }
+  }
+  std::map<std::multiset<EdgeIds>, std::size_t> first;
+  std::vector<Accepted> result;
+  for (const Accepted& s : loops)
+  {
+    if (first.emplace(edges[s.chain], s.chain).first->second == s.chain)
+    {
+      result.push_back(s);
+    }
+  }
+  return result;
+}
+
 void Definition::fillEvenOdd(const std::vector<Accepted>& loops)
 {
+  const std::vector<Accepted> counted = withoutRepeated(loops);
   for (const Triple& t : result_.all)
   {
-    if (isInsideOdd(loops, t))
+    if (isInsideOdd(counted, t))
     {
       result_.kept.insert(t);
     }
