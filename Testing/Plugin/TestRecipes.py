@@ -19,9 +19,8 @@ import volumes
 
 def ground(x, y, with_pit=False):
     """The values in recipes.GROUND and DUG."""
-    x, y = x / 1000, y / 1000
-    height = 60 + 30 * math.sin(5 * x) * math.cos(4 * y) + 45 * math.exp(-20 * ((x - 0.62) ** 2 + (y - 0.55) ** 2))
-    return height - with_pit * 8 * max(0, 1 - ((x - 0.3) ** 2 + (y - 0.35) ** 2) / 0.0144)
+    pit = max(0, 1 - ((x - 300) ** 2 + (y - 350) ** 2) / 14400)
+    return recipes.height_at(x, y) - with_pit * 8 * pit
 
 
 def fetched(proxy):
@@ -57,6 +56,18 @@ def test_contours():
         is_near(height, 5 * round(height / 5), 1e-4, "height of a contour")
         if 30 < min(x, y) and max(x, y) < 970:  # along the hull triangles are long
             is_near(ground(x, y), height, 0.5, "the ground below a contour")
+
+
+def test_contours_alone_are_flat_in_places():
+    """A tenth of the triangles lies between points of one contour; with a point in each such place hardly any does."""
+    lines = recipes.contours(recipes.survey(), range(30, 110, 10), 10.0)
+    spots = [(x, y, ground(x, y)) for x, y in recipes.SPOTS]
+    shares = []
+    for more in ((), spots):
+        surface = recipes.from_contours(lines, more)
+        flat, all_ = (servermanager.Fetch(made) for made in (recipes.flat_triangles(surface), surface))
+        shares.append(flat.GetNumberOfCells() / all_.GetNumberOfCells())
+    check(shares[0] > 0.1 and shares[1] < 0.01, "%r of the triangles are flat" % shares)
 
 
 def test_profile():

@@ -121,6 +121,32 @@ def contours(path):
     side_by_side(path, *views)
 
 
+def spot_heights():
+    """recipes.SPOTS, at the heights of the hills."""
+    return [(x, y, recipes.height_at(x, y)) for x, y in recipes.SPOTS]
+
+
+def flat(path):
+    """Contours alone, and with spot heights: the flat triangles in red."""
+    lines = recipes.contours(recipes.survey(), range(30, 110, 10), 10.0)
+    views = []
+    for spots in ((), spot_heights()):
+        surface = recipes.from_contours(lines, spots)
+        surface.UpdatePipeline()
+        views.append(view(distance=1040))
+        show(surface, views[-1], None, [0.85, 0.87, 0.82], Representation="Surface With Edges",
+             EdgeColor=[0.72, 0.74, 0.7], Ambient=1.0, Diffuse=0.0)  # fmt: skip
+        show(lines, views[-1], None, [0.45, 0.3, 0.15], LineWidth=3.0, Ambient=1.0, Diffuse=0.0)
+        flats = recipes.flat_triangles(surface)
+        flats.UpdatePipeline()
+        if flats.GetDataInformation().GetNumberOfCells():
+            show(flats, views[-1], None, [0.9, 0.3, 0.2], Ambient=1.0, Diffuse=0.0)
+    points = simple.PolyPointSource(Points=[c for x, y in recipes.SPOTS for c in (x, y, 120)])  # above all
+    show(points, views[-1], None, [0.15, 0.3, 0.75], PointSize=14.0, Ambient=1.0,
+         Diffuse=0.0)  # fmt: skip
+    side_by_side(path, *views)
+
+
 def profile(path):
     points = hills()
     terrain = recipes.dem(points)
@@ -207,7 +233,7 @@ def drape(path):
         save(path, side)
 
 
-PICTURES = {function.__name__: function for function in (contours, profile, volume, change, slope, drape)}
+PICTURES = {function.__name__: function for function in (contours, flat, profile, volume, change, slope, drape)}
 
 
 def draw(folder, lidar=None, only=None):

@@ -4,13 +4,24 @@ same settings. Each function takes points (a proxy) and returns the last filter.
 Testing/Plugin/TestRecipes.py compares their numbers with what they have to be.
 """
 
+import math
+
 from paraview import simple
 
 #: The pit that the second survey found: its centre and radius in metres, its depth. A paraboloid.
 PIT = (300.0, 350.0, 120.0, 8.0)
 
+#: Where contours every ten metres leave flat stretches: tops, hollows, ridges and valleys.
+SPOTS = [(285, 820), (685, 570), (920, 765), (870, 125), (240, 655), (460, 270), (30, 420), (770, 635), (415, 195)]
+
 GROUND = "60 + 30*sin(5*coordsX)*cos(4*coordsY) + 45*exp(-20*((coordsX-0.62)^2 + (coordsY-0.55)^2))"
 DUG = " - 8*max(0, 1 - ((coordsX-0.3)^2 + (coordsY-0.35)^2)/0.0144)"
+
+
+def height_at(x, y):
+    """What GROUND says, there."""
+    x, y = x / 1000, y / 1000
+    return 60 + 30 * math.sin(5 * x) * math.cos(4 * y) + 45 * math.exp(-20 * ((x - 0.62) ** 2 + (y - 0.55) ** 2))
 
 
 def survey(count=50000, seed=1, with_pit=False):
@@ -32,6 +43,24 @@ def contours(points, levels, size=2.0):
     """Lines of equal height, smooth ones, at their heights."""
     terrain = dem(points, size, OutputType="Surface", Method="Natural Neighbor")
     return simple.Contour(Input=terrain, ContourBy=["POINTS", "Elevation"], Isosurfaces=list(levels))
+
+
+def from_contours(lines, spots=()):
+    """The surface of the points of contour lines, and of single points (x, y, z) between them."""
+    points = lines
+    if spots:
+        single = simple.PolyPointSource(Points=[coordinate for spot in spots for coordinate in spot])
+        points = simple.AppendGeometry(Input=[lines, single])
+    return simple.AdaptiveHilbertDelaunay2D(Input=points)
+
+
+def flat_triangles(surface):
+    """Those between three points of one height."""
+    # its name since ParaView 5.12, and before
+    make = getattr(simple, "SurfaceNormals" if hasattr(simple, "SurfaceNormals") else "GenerateSurfaceNormals")
+    normals = make(Input=surface, ComputeCellNormals=1, Splitting=0)
+    upward = simple.Calculator(Input=normals, AttributeType="Cell Data", ResultArrayName="Up", Function="Normals_Z")
+    return simple.Threshold(Input=upward, Scalars=["CELLS", "Up"], LowerThreshold=0.9999999, UpperThreshold=1.1)
 
 
 def profile(points, start, end, pieces=500):
