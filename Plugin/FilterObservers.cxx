@@ -321,7 +321,7 @@ public:
     auto* proxy = vtkSMSourceProxy::SafeDownCast(registered->Proxy);
     const std::string name = proxy && proxy->GetXMLName() ? proxy->GetXMLName() : "";
     const bool isInterpolation = name == "AdaptiveHilbertInterpolation2D";
-    if (name == "PlanarPointSource" &&
+    if ((name == "PlanarPointSource" || name == "PlanarSurfaceOutline") &&
       !proxy->HasObserver(vtkCommand::PropertyModifiedEvent, this->Range))
     {
       KeepAllInRange(proxy);

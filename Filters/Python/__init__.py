@@ -57,6 +57,7 @@ _CLASSES = (
     "vtkAdaptiveHilbertInterpolation2D",
     "vtkAdaptiveHilbertInterpolationAlgorithm",
     "vtkPlanarPointSource",
+    "vtkPlanarSurfaceOutline",
 )
 
 __all__ = [

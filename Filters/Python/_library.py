@@ -12,7 +12,7 @@ import contextlib
 import ctypes
 import functools
 import threading
-from typing import Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -25,7 +25,7 @@ from ._interface import (
 from ._calls import AT_WORK as _at_work
 from ._calls import NO_PROGRESS, NO_PROJECTION, PROGRESS, PROJECTION, Call, Interrupts, end_with_the_program
 from ._held import NO_HANDLE, Handle, anchor
-from ._raster import Raster
+from ._raster import Raster, Samples
 
 
 # --- Jobs ---------------------------------------------------------------------------------------------------
@@ -439,14 +439,6 @@ class Job:
         self._sample_by(method, OUTSIDE_NO_VALUE)
         self._call(C.ahd_sample_weights, at, arrays=owners)
         self.hasTables = True
-
-
-class Samples(NamedTuple):
-    """What `Job.sample` found at k places."""
-
-    values: List[np.ndarray]  #: (k, columns) float64 of each array; NaN where there is no value
-    gradients: List[Any]  #: None, or (k, 2 * columns) float64 of each array: d/dx and d/dy of each column
-    mask: np.ndarray  #: (k,) uint8: 1 where there is a value of the surface
 
 
 def _places_of(places: Union[np.ndarray, Raster]) -> Tuple[Places, int, Tuple[np.ndarray, ...]]:

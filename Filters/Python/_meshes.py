@@ -235,6 +235,22 @@ def voronoi_2d(
     return _taken(algorithm.GetOutput(2))
 
 
+def outline(mesh, groups, memory_limit, progress_bar):
+    if not isinstance(mesh, pyvista.PolyData):
+        raise TypeError("an outline is that of a pyvista.PolyData, not of %s: extract_surface() makes one"
+                        % type(mesh).__name__)
+    if groups is not None and groups not in mesh.cell_data:
+        raise ValueError("groups: the cells have no array %r; there are %s" % (groups, mesh.cell_data.keys()))
+    package = _vtk.package_of(mesh)
+    algorithm = _vtk.vtk_class("vtkPlanarSurfaceOutline", package)()
+    messages = _Messages(algorithm, package)
+    algorithm.SetInputDataObject(mesh)
+    _set(algorithm, GroupArrayName=groups or "",
+         MemoryLimit=-(-_whole(memory_limit, "memory_limit", 2**63 - 1) // 1024))
+    _run(algorithm, messages, progress_bar, "Computing Outline")
+    return _taken(algorithm.GetOutput())
+
+
 def _interpolate(mesh, places, raster, method, outside, no_value, gradients, elevation, plane, edge_source, constraints,
                  memory_limit, progress_bar, **settings):
     """The output of vtkAdaptiveHilbertInterpolation2D, with settings of its raster."""

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 import operator
 from dataclasses import dataclass
-from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, Callable, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -399,3 +399,11 @@ def _by_size(low: float, high: float, size: float, align: bool) -> Axis:
 def _by_count(low: float, high: float, count: int) -> Axis:
     spacing = _length_in(low, high, count)
     return Axis(low + 0.5 * spacing, spacing, float(count))
+
+
+class Samples(NamedTuple):
+    """What `Job.sample` found at k places."""
+
+    values: List[np.ndarray]  #: (k, columns) float64 of each array; NaN where there is no value
+    gradients: List[Any]  #: None, or (k, 2 * columns) float64 of each array: d/dx and d/dy of each column
+    mask: np.ndarray  #: (k,) uint8: 1 where there is a value of the surface

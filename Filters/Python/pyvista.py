@@ -321,6 +321,45 @@ def sample(
     return _meshes.sample(**locals())
 
 
+@by_any_name()
+def outline(
+    mesh: Any, groups: Any = None, *, memory_limit: int = 0, progress_bar: bool = False
+) -> pyvista.PolyData:
+    """The outline of a surface as polygons with holes: of `delaunay_2d`, of an alpha shape, of bands between contours.
+
+    Rings are simple, and which is outer is exact. A polygon is a largest set of cells joined by edges; polygons that
+    touch at a vertex only are two.
+
+    Parameters
+    ----------
+    mesh : pyvista.PolyData
+        With triangles or other polygons.
+    groups : str, optional
+        An array of the cells with one number each: polygons are of cells with equal numbers, and cells with NaN are
+        left out. Default: all are alike.
+    memory_limit : int, default 0
+        Bytes; 0: what the process can get.
+    progress_bar : bool, default False
+        Show a progress bar.
+
+    Returns
+    -------
+    pyvista.PolyData
+        A closed line for each ring, with the cell data "PolygonId", "IsHole" and `groups`. The outer ring of a polygon
+        comes first, counterclockwise in x, y; its holes run clockwise.
+
+    Raises
+    ------
+    MemoryError: not enough memory, or `memory_limit` allows less. TypeError, ValueError: an argument is not as
+    described above.
+
+    Warns
+    -----
+    DelaunayWarning: cells that are left out or cannot join, with numbers.
+    """
+    return _meshes.outline(**locals())
+
+
 def _method(function: Function) -> Function:
     """A method of the accessor: with the signature and docstring of the function, for its mesh."""
 
@@ -344,6 +383,7 @@ class Adaptive:
     voronoi_2d = _method(voronoi_2d)
     to_raster = _method(to_raster)
     sample = _method(sample)
+    outline = _method(outline)
 
 
 def _register() -> None:

@@ -109,6 +109,7 @@ def all_files():
     read = {"delaunay": tables.read("delaunay.toml")}
     read["interpolation"] = tables.read("interpolation.toml", read["delaunay"])
     read["points"] = tables.read("points.toml")
+    read["outline"] = tables.read("outline.toml")
     read["arrays"] = arrays.read("arrays.toml", read["delaunay"])
     read["job"] = job.read("job.toml", read["delaunay"])
     reported = tables.reported()

@@ -49,6 +49,7 @@ check_equal(
         "filters.AdaptiveHilbertInterpolation2D.html",
         "filters.Delaunay2DAdaptiveHilbert.html",
         "filters.InsertionOrderAdaptiveHilbert.html",
+        "filters.PlanarSurfaceOutline.html",
         "filters.VoronoiAdaptiveHilbert.html",
         "Readers.html",
         "internal.AdaptiveHilbertTriangulation.html",

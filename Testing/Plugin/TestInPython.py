@@ -17,7 +17,8 @@ from pluginsupport import *
 PACKAGE = "adaptivehilbertdelaunay"
 FOLDER = os.path.dirname(PLUGIN)
 PROXIES = ("Delaunay2DAdaptiveHilbert", "VoronoiCells2DAdaptiveHilbert", "InsertionOrder2DAdaptiveHilbert",
-           "AdaptiveHilbertDelaunay2D", "AdaptiveHilbertInterpolation2D", "PlanarPointSource")
+           "AdaptiveHilbertDelaunay2D", "AdaptiveHilbertInterpolation2D", "PlanarPointSource",
+           "PlanarSurfaceOutline")
 SAYS = "Adaptive Hilbert Delaunay 2D is not there"
 
 

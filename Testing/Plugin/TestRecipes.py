@@ -48,6 +48,32 @@ def test_dem():
     is_near(max(map(abs, off)), 0, 0.35, "the largest error, with points some 4 m apart")
 
 
+def rings_of(proxy):
+    """Of each ring: is it a hole, and its signed area."""
+    data, found = servermanager.Fetch(proxy), []
+    for k in range(data.GetNumberOfCells()):
+        points = data.GetCell(k).GetPoints()
+        xy = [points.GetPoint(i) for i in range(points.GetNumberOfPoints())]
+        area = sum(p[0] * q[1] - p[1] * q[0] for p, q in zip(xy, xy[1:])) / 2
+        found.append((data.GetCellData().GetArray("IsHole").GetTuple1(k), area))
+        check_equal(area < 0, found[-1][0] == 1, "a hole runs clockwise")
+    return found
+
+
+def test_outline():
+    rings = rings_of(recipes.outline(recipes.survey(count=9000), 40.0))
+    check(1 < len(rings) < 60, "%d rings" % len(rings))
+    is_near(sum(area for _, area in rings), 980000, 20000, "area of the surface")
+
+
+def test_filled_contour():
+    rings = rings_of(recipes.filled_contour(recipes.survey(count=20000), 60.0, 90.0))
+    step = [(i + 0.5) * 10 for i in range(100)]
+    wanted = sum(100.0 for x in step for y in step if 60 < ground(x, y) < 90)
+    is_near(sum(area for _, area in rings), wanted, 0.02 * wanted, "area between 60 and 90 metres")
+    check(sum(hole for hole, _ in rings) > 0, "no hole")
+
+
 def test_contours():
     data, tuples = fetched(recipes.contours(recipes.survey(count=5000), range(40, 105, 5), 5.0))
     check(data.GetNumberOfCells() > 1000, "%d pieces of contours" % data.GetNumberOfCells())

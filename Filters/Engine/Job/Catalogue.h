@@ -236,11 +236,15 @@ constexpr Row kRows[] = {
     "{first_other_source}." },
 
   { Topic::Outline, "no polygon", "has_no_polygon",
-    "There is no outline: the input has no polygon. To points, apply Adaptive Hilbert Delaunay 2D "
+    "There is no outline: the input has no polygon. To points, apply Delaunay 2D (Adaptive "
+    "Hilbert) "
     "first." },
   { Topic::Outline, "strips of polygons", "polygon_strips",
     "{polygon_strips} triangle {polygon_strips?strip is|strips are} not in the outline. Apply "
     "vtkTriangleFilter (Triangulate) before it." },
+  { Topic::Outline, "blocks not outlined", "outlined_blocks",
+    "{outlined_blocks} {outlined_blocks?block is|blocks are} not in the outline: not "
+    "vtkPolyData." },
   { Topic::Outline, "unfit group", "unfit_group",
     "The cells have no numeric array {unfit_group} with one number each. All are outlined "
     "together." },

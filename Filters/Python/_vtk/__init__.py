@@ -15,7 +15,7 @@ PACKAGES = ("vtkmodules", "cvista")
 COMPILED = "_compiled"  # the module of the classes that were compiled with VTK
 # The classes that there are in Python, and their modules.
 _PYTHON = {"vtkAdaptiveHilbertDelaunay2D": "filter", "vtkAdaptiveHilbertInterpolation2D": "interpolation",
-           "vtkPlanarPointSource": "source"}
+           "vtkPlanarPointSource": "source", "vtkPlanarSurfaceOutline": "outline"}
 
 _classes = {}
 

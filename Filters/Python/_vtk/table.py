@@ -697,3 +697,14 @@ POINTS = (
      'coincide. Default: Double.',
      0, 2, ()),
 )
+
+OUTLINE = (
+    ("GroupArrayName", "text", '',
+     'The cell array by which polygons are told apart, with one number for each cell; a cell with NaN is left '
+     'out. Empty or "None": all cells are alike. Default "".',
+     None, None, ()),
+    ("MemoryLimit", "int64", 0,
+     'The most memory the filter may use beyond its input, in kibibytes (1024 bytes). More is refused with an '
+     'error. 0: the memory that the machine has left. Default 0, at least 0.',
+     0, 9223372036854775807, ()),
+)

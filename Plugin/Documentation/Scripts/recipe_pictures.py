@@ -147,6 +147,28 @@ def flat(path):
     side_by_side(path, *views)
 
 
+def outline(path):
+    points = recipes.survey(count=9000)
+    gaps = simple.Clip(Input=points, ClipType="Sphere", Invert=0)
+    gaps.ClipType.Center, gaps.ClipType.Radius = [300, 680, 75], 130
+    gaps = simple.Clip(Input=gaps, ClipType="Sphere", Invert=0)
+    gaps.ClipType.Center, gaps.ClipType.Radius = [1020, 160, 75], 330
+    views = []
+    for made, distance in ((recipes.outline(simple.ExtractSurface(Input=gaps), 40.0), 1080),
+                           (recipes.filled_contour(points, 60.0, 90.0), 1080)):  # fmt: skip
+        made.UpdatePipeline()
+        views.append(view(distance=distance, focus=(500, 500, 75)))
+        cells = show(made.Input, views[-1], None, [0.82, 0.84, 0.8], Ambient=1.0, Diffuse=0.0)
+        cells.SetRepresentationType("Surface")
+        for hole, colour in ((0, [0.1, 0.3, 0.7]), (1, [0.8, 0.15, 0.1])):
+            rings = simple.Threshold(Input=made, Scalars=["CELLS", "IsHole"], LowerThreshold=hole, UpperThreshold=hole)
+            rings.UpdatePipeline()
+            lifted = simple.Transform(Input=rings)
+            lifted.Transform.Translate = [0, 0, 200]
+            show(lifted, views[-1], None, colour, LineWidth=4.0, Ambient=1.0, Diffuse=0.0)
+    side_by_side(path, *views)
+
+
 def profile(path):
     points = hills()
     terrain = recipes.dem(points)
@@ -233,7 +255,8 @@ def drape(path):
         save(path, side)
 
 
-PICTURES = {function.__name__: function for function in (contours, flat, profile, volume, change, slope, drape)}
+PICTURES = {function.__name__: function
+            for function in (contours, flat, outline, profile, volume, change, slope, drape)}  # fmt: skip
 
 
 def draw(folder, lidar=None, only=None):

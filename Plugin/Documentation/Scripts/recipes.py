@@ -63,6 +63,20 @@ def flat_triangles(surface):
     return simple.Threshold(Input=upward, Scalars=["CELLS", "Up"], LowerThreshold=0.9999999, UpperThreshold=1.1)
 
 
+def outline(points, longest):
+    """The outline of a surface without triangles with an edge longer than this."""
+    surface = simple.AdaptiveHilbertDelaunay2D(Input=points, MaximumEdgeLength=longest)
+    return simple.PlanarSurfaceOutline(Input=surface)
+
+
+def filled_contour(points, low, high):
+    """The polygons of what lies between two heights."""
+    surface = simple.AdaptiveHilbertDelaunay2D(Input=points, Rim="Trimmed")
+    heights = simple.Calculator(Input=surface, ResultArrayName="Elevation", Function="coordsZ")
+    band = simple.IsoVolume(Input=heights, InputScalars=["POINTS", "Elevation"], ThresholdRange=[low, high])
+    return simple.PlanarSurfaceOutline(Input=simple.ExtractSurface(Input=band))
+
+
 def profile(points, start, end, pieces=500):
     """The heights along a straight road, with the way along it (arc_length)."""
     road = simple.Line(Point1=[*start, 0.0], Point2=[*end, 0.0], Resolution=pieces)

@@ -146,6 +146,7 @@ def cases():
     for count in (1, 2):
         yield engine.SAY_OUTLINE, "outline %d" % count, {
             "unfit_cells": count, "unfit_edges": count, "has_no_polygon": 1, "polygon_strips": count,
+            "outlined_blocks": count,
             "unfit_group": "Flow"}  # fmt: skip
         yield engine.SAY_BLOCKS, "blocks %d" % count, {
             "other_blocks": count, "first_other": "vtkTable", "unfit_marks": count, "without_points": "vtkImageData",

@@ -404,13 +404,37 @@ class VoronoiTest(unittest.TestCase):
         self.assertAlmostEqual(float(abs(made.points[:, 2] - made.points[:, 0]).max()), 0, delta=1e-2)
 
 
+class OutlineTest(unittest.TestCase):
+    def test_a_surface_and_its_groups(self):
+        points = scattered(900)
+        points[:, 2] = 0
+        surface = mesh_of(points).adaptive.delaunay_2d(maximum_edge_length=50)
+        outline = surface.adaptive.outline()
+        self.assertGreater(sum(outline["IsHole"]), 1)
+        rings = [ring.points[:, :2].astype(float) for ring in (outline.get_cell(k) for k in range(outline.n_cells))]
+        areas = [float(numpy.sum(r[:-1, 0] * r[1:, 1] - r[:-1, 1] * r[1:, 0])) / 2 for r in rings]
+        self.assertEqual([area < 0 for area in areas], [hole == 1 for hole in outline["IsHole"]])
+        self.assertAlmostEqual(sum(areas), surface.area, delta=1)
+        surface.cell_data["side"] = surface.cell_centers().points[:, 0] > 500
+        parts = surface.adaptive.outline("side")
+        self.assertEqual(sorted(set(parts["side"])), [0, 1])
+        self.assertGreater(parts.n_cells, outline.n_cells)
+        with self.assertRaisesRegex(MemoryError, "outline of .* memory_limit allows"):
+            surface.adaptive.outline(memory_limit=2000)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            strips = pyvista.PolyData(points, strips=[3, 0, 1, 2])
+            self.assertEqual(strips.adaptive.outline().n_cells, 0)
+        self.assertEqual([(row.category, "strip" in str(row.message)) for row in caught], [(DelaunayWarning, True)])
+
+
 class FoundTest(unittest.TestCase):
     def test_it_is_shown(self):
         """Docstrings, and the names that are completed."""
         self.assertIn("adaptive", dir(pyvista.PolyData()))
         self.assertIn("even_odd", inspect.getdoc(RUN.delaunay_2d))
         self.assertNotIn("mesh", inspect.signature(RUN.voronoi_2d).parameters)
-        for name in ("delaunay_2d", "voronoi_2d", "to_raster", "sample"):
+        for name in ("delaunay_2d", "voronoi_2d", "to_raster", "sample", "outline"):
             text = inspect.getdoc(getattr(RUN, name))
             for keyword in inspect.signature(getattr(RUN, name)).parameters:
                 self.assertRegex(text, r"(?m)^(\w+, )*%s(, \w+)*($| : )" % keyword, name)

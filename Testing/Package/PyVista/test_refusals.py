@@ -73,6 +73,7 @@ ROWS = [
     ("voronoi_2d", dict(clip=[[0, 0], [1, 0], [2, 0]]), ValueError,
      "clip has no area, but it must be two opposite corners of a box, or the corners of a convex polygon in their "
      "order. Nothing was computed."),
+    ("outline", dict(groups="side"), ValueError, "groups: the cells have no array 'side'; there are []"),
     ("sample", dict(places=pyvista.MultiBlock([MESH])), TypeError,
      "places are one mesh or an array, not a MultiBlock: its combine() is one mesh"),
     ("sample", dict(places=numpy.zeros((2, 4))), ValueError,
@@ -88,6 +89,8 @@ OF_OTHERS = [  # (mesh, method, arguments, exception, text)
      "cast_to_unstructured_grid() give it some"),
     (MESH.cast_to_unstructured_grid(), "delaunay_2d", dict(inplace=True), TypeError,
      "inplace: a pyvista.PolyData can be overwritten, not UnstructuredGrid"),
+    (MESH.cast_to_unstructured_grid(), "outline", {}, TypeError,
+     "an outline is that of a pyvista.PolyData, not of UnstructuredGrid: extract_surface() makes one"),
 ]
 
 

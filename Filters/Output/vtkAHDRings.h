@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDRings_h
+#define vtkAHDRings_h
+
+class vtkPolyData;
+
+namespace ahd
+{
+struct Outline;
+}
+
+/// Writes a closed polyline for each ring, with the cell data "PolygonId" and "IsHole"; and the
+/// points that rings pass, in their order in `from`, with their data. Throws std::bad_alloc.
+void vtkAHDWriteRings(const ahd::Outline& made, vtkPolyData* from, vtkPolyData* to);
+
+#endif
