@@ -20,6 +20,7 @@ import recipes
 WIDTH, HEIGHT = 1440, 560  # shown at half its size
 GREENS = [0.0, 0.27, 0.45, 0.45, 0.35, 0.55, 0.70, 0.50, 0.6, 0.85, 0.80, 0.62, 1.0, 0.96, 0.95, 0.92]
 CENTRE = (500.0, 500.0, 75.0)
+BESIDE = (650.0, 500.0, 75.0)  # leaves room for a legend
 
 
 # --- views -----------------------------------------------------------------------------------------
@@ -45,8 +46,9 @@ def view(distance=None, turned=None, focus=CENTRE, angle=28):
     return made
 
 
-def show(source, where, array=None, colours=GREENS, limits=None, **look):
-    """Shows a filter coloured by an array, from the first to the last of the limits; or in one colour."""
+def show(source, where, array=None, colours=GREENS, limits=None, title="", **look):
+    """Shows a filter coloured by an array, from the first to the last of the limits, with a legend of this title; or in
+    one colour."""
     display = simple.Show(source, where)
     display.SetRepresentationType(look.pop("Representation", "Surface"))
     if array:
@@ -58,13 +60,33 @@ def show(source, where, array=None, colours=GREENS, limits=None, **look):
         table.RGBPoints = steps
         table.ColorSpace = "RGB"
         table.NanOpacity = 0.0
-        display.SetScalarBarVisibility(where, False)
+        add_legend(table, where, title)
     else:
         display.ColorArrayName = ["POINTS", ""]  # one colour
         display.AmbientColor = display.DiffuseColor = colours
     for name, value in look.items():
         setattr(display, name, value)
     return display
+
+
+def add_legend(table, where, title):
+    bar = simple.GetScalarBar(table, where)
+    bar.Title, bar.ComponentTitle = title, ""
+    bar.TitleColor = bar.LabelColor = [0.15, 0.15, 0.15]
+    bar.TitleFontSize = bar.LabelFontSize = 15
+    bar.RangeLabelFormat = bar.LabelFormat = "%.0f"
+    bar.HorizontalTitle, bar.DrawBackground = 1, 1
+    bar.BackgroundColor = [1, 1, 1, 0.8]
+    bar.ScalarBarLength, bar.ScalarBarThickness = 0.4, 16
+    bar.WindowLocation = "Upper Right Corner"
+    bar.Visibility = int(bool(title))
+
+
+def add_note(text, where, size=15):
+    """Says what the colours are, where there is no scale of them."""
+    note = simple.Show(simple.Text(Text=text), where)
+    note.Color, note.FontSize = [0.15, 0.15, 0.15], size
+    note.WindowLocation = "Upper Right Corner"
 
 
 def side_by_side(path, left, right):
@@ -100,9 +122,10 @@ def dem(path, lidar):
     colours = [0.0, 0.55, 0.71, 0.82, 0.1, 0.66, 0.79, 0.87, 0.14, 0.9, 0.85, 0.73, 0.26, 0.93, 0.89, 0.78,
                0.32, 0.85, 0.86, 0.66, 0.4, 0.62, 0.76, 0.47, 0.65, 0.4, 0.64, 0.38, 1.0, 0.22, 0.48, 0.3]  # fmt: skip
     above = view(distance=470, focus=(636600, 849190, 418))
-    show(recipes.dem(table), above, "Elevation", colours, (406, 480), Ambient=1.0, Diffuse=0.0)
+    show(recipes.dem(table), above, "Elevation", colours, (406, 480), "height, feet", Ambient=1.0,
+         Diffuse=0.0)
     side = view(turned=(636690, 849040, 560), focus=(636745, 849215, 418))
-    show(recipes.dem(table, OutputType="Surface"), side, "Elevation", colours, (406, 480))
+    show(recipes.dem(table, OutputType="Surface"), side, "Elevation", colours, (406, 480), "height, feet")
     side_by_side(path, above, side)
 
 
@@ -114,10 +137,11 @@ def contours(path):
     heights = simple.Calculator(Input=surface, ResultArrayName="Elevation", Function="coordsZ")
     angular = simple.Contour(Input=heights, ContourBy=["POINTS", "Elevation"], Isosurfaces=levels)
     views = []
-    for lines in (angular, recipes.contours(points, levels)):
+    for lines, made in ((angular, "of the triangles"), (recipes.contours(points, levels), "by natural neighbours")):
         lines.UpdatePipeline()
         views.append(view(distance=560, focus=(560, 500, 75)))
         show(lines, views[-1], None, [0.45, 0.3, 0.15], LineWidth=3.0, Ambient=1.0, Diffuse=0.0)
+        add_note("every 5 m, " + made, views[-1])
     side_by_side(path, *views)
 
 
@@ -174,8 +198,8 @@ def profile(path):
     terrain = recipes.dem(points)
     road = recipes.profile(points, (80, 80), (930, 870))
     road.UpdatePipeline()
-    above = view(distance=1040)
-    show(terrain, above, "Elevation", limits=(30, 105))
+    above = view(distance=1040, focus=BESIDE)
+    show(terrain, above, "Elevation", limits=(30, 105), title="height, m")
     show(road, above, None, [0.85, 0.3, 0.1], LineWidth=6.0, Ambient=1.0, Diffuse=0.0)
     chart = simple.CreateView("XYChartView")
     display = simple.Show(simple.PlotData(Input=road), chart)
@@ -201,6 +225,7 @@ def volume(path):
     show(rest, side, None, [0.78, 0.83, 0.76])
     show(part, side, None, [0.88, 0.55, 0.25])
     show(level, side, None, [0.35, 0.55, 0.8], Opacity=0.35)
+    add_note("orange: above 80 m; blue: that level", side, 8)
     save(path, side)
 
 
@@ -209,11 +234,11 @@ def change(path):
     made = recipes.change(hills(), hills(2, with_pit=True), bounds)
     made.UpdatePipeline()
     blues = [0.0, 0.1, 0.25, 0.55, 0.45, 0.45, 0.65, 0.85, 0.9, 0.93, 0.93, 0.9, 1.0, 0.95, 0.7, 0.5]
-    above = view(distance=1000)
-    show(made, above, "Change", blues, (-8, 1), Ambient=1.0, Diffuse=0.0)
+    above = view(distance=1000, focus=BESIDE)
+    show(made, above, "Change", blues, (-8, 1), "change, m", Ambient=1.0, Diffuse=0.0)
     terrain = recipes.dem(hills(2, with_pit=True), OutputType="Surface")
     side = view(turned=(250, -500, 420), focus=(330, 380, 60), angle=24)
-    show(terrain, side, "Elevation", limits=(30, 105))
+    show(terrain, side, "Elevation", limits=(30, 105), title="height, m")
     side_by_side(path, above, side)
 
 
@@ -224,9 +249,10 @@ def slope(path):
     around = [0.0, 0.3, 0.45, 0.75, 0.25, 0.55, 0.7, 0.4, 0.5, 0.95, 0.8, 0.35, 0.75, 0.75, 0.4, 0.4,
               1.0, 0.3, 0.45, 0.75]  # fmt: skip
     views = []
-    for array, colours, limits in (("Slope", reds, (0, 22)), ("Aspect", around, (-180, 180))):
-        views.append(view(distance=1040))
-        show(made, views[-1], array, colours, limits, Ambient=1.0, Diffuse=0.0)
+    for array, colours, limits, title in (
+            ("Slope", reds, (0, 22), "slope, °"), ("Aspect", around, (-180, 180), "aspect, °")):
+        views.append(view(distance=1040, focus=BESIDE))
+        show(made, views[-1], array, colours, limits, title, Ambient=1.0, Diffuse=0.0)
     side_by_side(path, *views)
 
 

@@ -105,6 +105,14 @@ def change(before, after, bounds, size=2.0):
     return simple.Calculator(Input=both, ResultArrayName="Change", Function="After - Before")
 
 
+def volume_of_change(made, bounds=(-1000.0, 1000.0)):
+    """The volume between the surveys, of what change() made: the array Change of the one point. Where Change is NaN, or
+    outside the bounds, nothing counts."""
+    known = simple.Threshold(Input=made, Scalars=["POINTS", "Change"])
+    known.LowerThreshold, known.UpperThreshold = bounds
+    return simple.IntegrateVariables(Input=known)
+
+
 def slope_and_aspect(points, size=2.0):
     """Arrays Slope, degrees from level, and Aspect, the compass bearing of downhill, in degrees."""
     terrain = dem(points, size, GenerateGradients=1, Rim="Trimmed")
