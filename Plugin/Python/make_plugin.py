@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Makes the Python plugin of the description of the compiled one, so that there is no second one.
 
-    make_plugin.py FILE      writes the plugin
+    make_plugin.py FILE      writes the plugin, and beside it the icons
 
 plugin_template.py has the code, with plugin_client.py in it. What it does not say, ParaView's menus, panels and help
 texts, is taken from AdaptiveHilbertDelaunay.xml, and the version from CMakeLists.txt. Two things in the XML need C++:
@@ -13,6 +13,7 @@ proxy inside another becomes properties of the other.
 import copy
 import pathlib
 import re
+import shutil
 import sys
 import xml.etree.ElementTree as ElementTree
 
@@ -20,6 +21,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 XML = HERE.parent / "AdaptiveHilbertDelaunay.xml"
 TEMPLATE = HERE / "plugin_template.py"
 CLIENT = HERE / "plugin_client.py"
+ICONS = HERE.parent / "Icons"
 CMAKE = HERE.parents[1] / "CMakeLists.txt"
 
 
@@ -147,3 +149,4 @@ if __name__ == "__main__":
     made = pathlib.Path(sys.argv[1])
     made.parent.mkdir(parents=True, exist_ok=True)
     made.write_text(plugin(), encoding="utf-8")
+    shutil.copytree(ICONS, made.parent / "icons", ignore=shutil.ignore_patterns("*.qrc"), dirs_exist_ok=True)

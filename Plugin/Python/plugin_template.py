@@ -367,6 +367,7 @@ def _declare(works, group, tag, attributes, inside):
     name, vtk_class = attributes["name"], attributes.get("class", "")
     has_one = vtk_class.endswith("OneOutput2D")
     vtk_class = "vtkAdaptiveHilbertDelaunay2D" if has_one else vtk_class
+    inside = inside.replace(":/AdaptiveHilbertDelaunay/", os.path.join(HERE, "icons", ""))
     if group == "transforms":
         globals()[name] = _OfParaView(group, tag, attributes, inside)
     elif works and group == "writers":

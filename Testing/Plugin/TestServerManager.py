@@ -39,7 +39,16 @@ def test_menu():
         check_equal((one.GetXMLName(), one.GetXMLLabel()), (name, label), "name and label")
         menu = one.GetHints().FindNestedElementByName("ShowInMenu")
         check_equal(menu.GetAttribute("category"), "Adaptive Hilbert", "category in the Filters menu")
+        check_icon(menu.GetAttribute("icon"), label)
         check_equal((one.GetNumberOfOutputPorts(), one.GetOutputPortName(0)), (1, output), "outputs of " + label)
+
+
+def check_icon(path, label):
+    """A file beside the plugin in Python, a resource of the compiled one, whose folder of icons has it."""
+    folder = pathlib.Path(__file__).resolve().parents[2] / "Plugin" / "Icons"
+    check(path.endswith(".svg") and (folder / os.path.basename(path)).exists(), label + " has no icon")
+    check(os.path.exists(path) if IS_PYTHON else path.startswith(":/AdaptiveHilbertDelaunay/"), "icon " + path)
+    check(os.path.basename(path) in (folder / "icons.qrc").read_text(encoding="utf-8"), path + " is no resource")
 
 
 def test_filters_of_outputs():
