@@ -237,8 +237,7 @@ constexpr Row kRows[] = {
 
   { Topic::Outline, "no polygon", "has_no_polygon",
     "There is no outline: the input has no polygon. To points, apply Delaunay 2D (Adaptive "
-    "Hilbert) "
-    "first." },
+    "Hilbert) first." },
   { Topic::Outline, "strips of polygons", "polygon_strips",
     "{polygon_strips} triangle {polygon_strips?strip is|strips are} not in the outline. Apply "
     "vtkTriangleFilter (Triangulate) before it." },

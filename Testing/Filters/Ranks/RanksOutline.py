@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkPlanarSurfaceOutline over ranks: the first has the outline of the cells of all, the same as alone.
+"""vtkPlanarSurfaceOutline over ranks: the first has the outline of the cells of all, the same as alone. A rank that
+fails lets nobody wait; the class in Python refuses.
 
     mpiexec -n RANKS pvbatch --sym RanksOutline.py
 """
@@ -7,7 +8,8 @@
 import sys
 
 from adaptivehilbertdelaunay import vtkPlanarSurfaceOutline
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkUnsignedCharArray
+from adaptivehilbertdelaunay._vtk import python_class
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkDoubleArray, vtkIdTypeArray, vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
@@ -55,8 +57,14 @@ def contents(out):
     return rings, arrays
 
 
-def outline(data, **settings):
-    made = vtkPlanarSurfaceOutline()
+def outline(data, kind=vtkPlanarSurfaceOutline, said=None, **settings):
+    made = kind()
+    if said is not None:
+        def keep(_caller, _event, text):
+            said.append(text)
+
+        keep.CallDataType = VTK_STRING
+        made.AddObserver("ErrorEvent", keep)
     made.SetInputData(data)
     for name, value in settings.items():
         getattr(made, "Set" + name)(value)
@@ -83,6 +91,20 @@ for settings in ({}, {"GroupArrayName": "Band"}):
     if RANKS > 2 and RANK == 0:
         expected = contents(outline(squares(less), Controller=None, **settings).GetOutput())
         check(contents(made.GetOutput()), expected, "after a change of one rank")
+
+said = []
+refusing = outline(squares(OWN), python_class(name="vtkPlanarSurfaceOutline"), said)
+check(contents(refusing.GetOutput()), ([], {}), "in Python")
+check([("is on several ranks" in text) for text in said], [True], "error in Python")
+bad, numbers, said = squares(OWN), vtkIdTypeArray(), []
+if RANK == RANKS - 1:
+    for offset in (0, 9):
+        numbers.InsertNextValue(offset)
+    ids = vtkIdTypeArray()
+    ids.InsertNextValue(0)
+    bad.GetPolys().SetData(numbers, ids)
+check(contents(outline(bad, said=said).GetOutput()), ([], {}), "damaged cells on one rank")
+check(len(said), int(RANK == RANKS - 1), "errors of it")
 
 for text in failures:
     print("rank %d: %s" % (RANK, text[:2000]))
