@@ -147,9 +147,8 @@ class Raster:
 
     @property
     def geotransform(self) -> Tuple[float, float, float, float, float, float]:
-        """GDAL's geotransform, for pixels that are areas: corner, width and 0; corner, 0 and height. Row 0 is in the
-        south, the height positive; for a GeoTIFF that begins in the north, values[::-1], the upper corner is
-        (bounds[0], bounds[3]), and the height is negative."""
+        """GDAL's geotransform, for pixels that are areas: corner, width and 0; corner, 0 and height, which is negative
+        where row 0 is in the north (see `north_up`)."""
         (x, y), (dx, dy) = self.origin, self.spacing
         return x - dx / 2, dx, 0.0, y - dy / 2, 0.0, dy
 

@@ -143,6 +143,13 @@ class Examples(unittest.TestCase):
         self.assertTrue(all(0 < depth < 40 for depth in depths), said)
         self.assertIn("(1002634, 1445): no water", said)
 
+    @unittest.skipUnless(GENERATOR == "Ninja", "ninja alone tells of what a target is made")
+    def test_the_demo_builds_what_arrays_need(self):
+        """demo.sh builds one target; the library is part of it, or `delaunay` would not work in its build folder."""
+        said = subprocess.run(["ninja", "-C", BUILD, "-t", "query", "AHDInstalled"], check=True, text=True,
+                              stdout=subprocess.PIPE).stdout  # fmt: skip
+        self.assertIn("    AdaptiveHilbertDelaunayPythonLibrary\n", said.partition("outputs:")[0])
+
     def test_raster(self):
         """The water of the raster is that of the coastline: its area is known by the corners of the polygons."""
         bay = os.path.join(ROOT, "Data", "Bay")
