@@ -1,15 +1,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A raster as a GeoTIFF: the file of Filters/vtkPlanarGeoTIFFWriter.cxx, which has the rules, byte for byte."""
 
+from __future__ import annotations
+
 import math
 import struct
+from typing import Any, Sequence, Tuple
 
 import numpy as np
 
 TEXT, SHORT, LONG, DOUBLE = (2, "s"), (3, "H"), (4, "I"), (12, "d")
 
 
-def write(path, values, origin, cell, epsg=0, no_data=-9999.0):
+def write(
+    path: str, values: np.ndarray, origin: Sequence[float], cell: Sequence[float], epsg: int = 0,
+    no_data: float = -9999.0,
+) -> None:  # fmt: skip
     """`values`: rows, the first one the southernmost, NaN where there is none; `origin`: the centre of the first of the
     cells, `cell`: their width and height. OSError; ValueError for more than 4 GiB."""
     kind = np.float32 if values.dtype == np.float32 else np.float64
@@ -24,7 +30,7 @@ def write(path, values, origin, cell, epsg=0, no_data=-9999.0):
     keys = ((34735, SHORT, (1, 1, 0, 3) + system),) if epsg else ()
     said = b"nan" if math.isnan(no_data) else b"%.17g" % no_data
 
-    def header(begin):
+    def header(begin: int) -> bytes:
         return _directory((
             (256, LONG, [columns]), (257, LONG, [rows]), (258, SHORT, [8 * np.dtype(kind).itemsize]), (259, SHORT, [1]),
             (262, SHORT, [1]), (273, LONG, [begin + k * row for k in range(rows)]), (277, SHORT, [1]), (278, LONG, [1]),
@@ -37,7 +43,7 @@ def write(path, values, origin, cell, epsg=0, no_data=-9999.0):
             file.write(np.where(np.isnan(one), no_data, one).astype("<f%d" % np.dtype(kind).itemsize).tobytes())
 
 
-def _directory(entries):
+def _directory(entries: Sequence[Tuple[int, Tuple[int, str], Any]]) -> bytes:
     """Header, directory and values: what comes before the pixels."""
     made, values = struct.pack("<2sHIH", b"II", 42, 8, len(entries)), b""
     begin = len(made) + 12 * len(entries) + 4
