@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from ._interpolators import NaturalNeighborInterpolator as NaturalNeighborInterpolator
     from ._interpolators import NearestInterpolator as NearestInterpolator
     from ._raster import Raster as Raster
+    from ._results import Adjacency as Adjacency
     from ._sampling import Weights as Weights
 
     __version__: str
@@ -49,6 +50,7 @@ _MODULES = {
     **dict.fromkeys(("LinearInterpolator", "NaturalNeighborInterpolator", "NearestInterpolator"), "._interpolators"),
     "Raster": "._raster",
     "__version__": "._interface",
+    "Adjacency": "._results",
     "Weights": "._sampling",
 }
 _CLASSES = (
@@ -61,7 +63,7 @@ _CLASSES = (
 )
 
 __all__ = [
-    "Boxes", "DelaunayWarning", "Kind", "LinearInterpolator", "Location", "NaturalNeighborInterpolator",
+    "Adjacency", "Boxes", "DelaunayWarning", "Kind", "LinearInterpolator", "Location", "NaturalNeighborInterpolator",
     "NearestInterpolator", "Outline", "Raster", "Triangulation", "Voronoi", "Weights", "delaunay", "release_memory",
 ]  # fmt: skip
 

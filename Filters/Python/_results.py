@@ -106,6 +106,13 @@ class Boxes(NamedTuple):
     counts: np.ndarray  #: (b,) int: the distinct points in it
 
 
+class Adjacency(NamedTuple):
+    """A list of numbers for each point: that of point `i` is ``items[offsets[i]:offsets[i + 1]]``."""
+
+    offsets: np.ndarray  #: (n + 1,) int
+    items: np.ndarray  #: (k,) int
+
+
 class Kind(IntEnum):
     """How a place lies in a triangulation."""
 

@@ -12,10 +12,10 @@ import numpy as np
 from . import _library as library
 from ._input import CHOICES, DEFAULTS, Corners, Request, polygon_of
 from ._made import frozen
+from ._measured import Measured
 from ._picture import svg
-from ._results import Boxes, Location, Outline, Voronoi, chained
+from ._results import Adjacency, Boxes, Location, Outline, Voronoi, chained
 from ._raster import real_numbers, unmasked, xy_of
-from ._sampling import Sampled
 
 
 _TRIANGLES = library.names(library.COUNTS).index("triangles")
@@ -26,7 +26,7 @@ def _arrays_of(made: Any) -> Iterable[np.ndarray]:
         return made.points, made.offsets, made.corners, made.sites
     if isinstance(made, Outline):
         return made.points, made.corners, made.rings, made.polygons
-    return made if isinstance(made, Boxes) else (made,)
+    return made if isinstance(made, (Adjacency, Boxes)) else (made,)
 
 
 def _view(array: np.ndarray) -> np.ndarray:
@@ -36,7 +36,7 @@ def _view(array: np.ndarray) -> np.ndarray:
 _NAMES_OF_SCIPY = {"simplices": "triangles", "find_simplex": "locate(places).triangle", "convex_hull": "hull"}
 
 
-class Triangulation(Sampled):
+class Triangulation(Measured):
     """A Delaunay triangulation, made by `delaunay`. It never changes; its arrays are read-only.
 
     Ids are rows of `points`. All results depend on the points, constraints and settings alone, the same to the byte
