@@ -10,7 +10,8 @@ vtkAdaptiveHilbertInterpolation2D, values between the points on rasters and at p
 the package was built with VTK and Python has that version (the first two numbers count); otherwise the same classes in
 Python, over the imported `vtkmodules` or `cvista`. ImportError without VTK.
 
-Code that uses vtkDelaunay2D runs on this filter after `import adaptivehilbertdelaunay.drop_in`.
+Code that uses vtkDelaunay2D runs on this filter after `import adaptivehilbertdelaunay.drop_in`. Code written for scipy
+takes `Delaunay`, `griddata` and others from `adaptivehilbertdelaunay.scipy`, for points in the plane.
 """
 
 from __future__ import annotations

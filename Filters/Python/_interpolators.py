@@ -24,12 +24,14 @@ class _Interpolator:
         if isMade and rescale:
             raise ValueError("rescale is for points, not for a triangulation of them")
         if not isMade:
-            points = self._own(points, rescale)
-            points = delaunay(points, threads=threads)
+            points = self._triangulated(self._own(points, rescale), threads)
         self.triangulation: Triangulation = points
         self.values = np.array(unmasked("values", values))
         points._lacking_rows(self.values)
         self.values.flags.writeable = False
+
+    def _triangulated(self, points: np.ndarray, threads: int) -> Triangulation:
+        return delaunay(points, threads=threads)
 
     def _own(self, points: Any, rescale: bool) -> np.ndarray:
         """A copy, rescaled on request to a square of side 1."""
@@ -193,7 +195,10 @@ class NearestInterpolator(_Interpolator):
     def __call__(self, *args: Any) -> np.ndarray:
         """Values at places: ``f(x, y)``, ``f((x, y))`` or ``f(places)``."""
         places = self._places(args)
-        ids = self.triangulation._nearest_ids(places.reshape(-1, 2))
+        return self._taken(self.triangulation._nearest_ids(places.reshape(-1, 2)), places.shape[:-1])
+
+    def _taken(self, ids: np.ndarray, shape: Tuple[int, ...]) -> np.ndarray:
+        """The values of these points; NaN: none."""
         has = ids == ids
         if has.all():
             rows = self.values[ids.astype(np.intp)]
@@ -202,5 +207,5 @@ class NearestInterpolator(_Interpolator):
             rows[has] = self.values[ids[has].astype(np.intp)]
         else:
             raise ValueError("%d places are not finite, or there are no points" % np.count_nonzero(~has))
-        made: np.ndarray = rows.reshape(places.shape[:-1] + self.values.shape[1:])
+        made: np.ndarray = rows.reshape(shape + self.values.shape[1:])
         return made

@@ -377,6 +377,14 @@ class Sampled(Made):
         made: np.ndarray = found.values[0].reshape(-1)
         return made
 
+    def _nearest_places(self, places: np.ndarray) -> np.ndarray:
+        """The place of the triangles that is nearest to each place, (k, 2)."""
+        rows = np.ascontiguousarray(self._array("plane_points", np.float64)[:, :2])
+        with self._locked():
+            found = self._sampled(places, rows, library.SAMPLE_LINEAR, library.OUTSIDE_BOUNDARY, False, None, False)
+        made: np.ndarray = found.values[0]
+        return made
+
     def _for_points(self, given: np.ndarray, ofZ: np.ndarray) -> np.ndarray:
         """The values with those of points that were added, and of those that lie on a surface; the columns `ofZ` are
         that of `points`, which follows `duplicates`."""

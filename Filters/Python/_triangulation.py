@@ -33,7 +33,19 @@ def _view(array: np.ndarray) -> np.ndarray:
     return frozen(array.view())
 
 
-_NAMES_OF_SCIPY = {"simplices": "triangles", "find_simplex": "locate(places).triangle", "convex_hull": "hull"}
+_NAMES_OF_SCIPY = {
+    "simplices": "triangles",
+    "find_simplex": "locate(places).triangle",
+    "convex_hull": "boundary, or hull in order",
+    "vertex_neighbor_vertices": "vertex_neighbors",
+    "vertex_to_simplex": "vertex_triangles",
+    "coplanar": "point_status",
+    "transform": "weights(places)",
+    **dict.fromkeys(
+        ("add_points", "equations", "lift_points", "max_bound", "min_bound", "npoints", "nsimplex", "plane_distance"),
+        "adaptivehilbertdelaunay.scipy.Delaunay",
+    ),
+}
 
 
 class Triangulation(Measured):

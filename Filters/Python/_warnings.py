@@ -29,8 +29,8 @@ def tell(messages: Iterable[str]) -> None:
 
 
 def _depth() -> int:
-    """The stacklevel of the first caller outside of this package, seen from tell(). By names of modules: files may have
-    no path, as where the working directory was deleted."""
+    """The stacklevel, for who calls this, of the first caller outside of this package. By names of modules: files may
+    have no path, as where the working directory was deleted."""
     inside, depth = __name__.rpartition(".")[0], 1
     frame = sys._getframe(1)
     while frame.f_back is not None and (str(frame.f_globals.get("__name__")) + ".").startswith(inside + "."):

@@ -13,15 +13,15 @@ import numpy as np
 
 import adaptivehilbertdelaunay
 from adaptivehilbertdelaunay import (
-    _arrays, _calls, _held, _input, _interface, _interpolators, _library, _raster, _results, _sampling,
-    _triangulation, _warnings,
+    _arrays, _calls, _cubic, _held, _input, _interface, _interpolators, _library, _measured, _raster, _results,
+    _sampling, _spatial, _triangulation, _warnings, scipy,
 )  # fmt: skip
 from adaptivehilbertdelaunay import DelaunayWarning, LinearInterpolator, NaturalNeighborInterpolator
 from arraysupport import ROOT
 
 MODULES = (
-    _arrays, _calls, _held, _input, _interface, _interpolators, _library, _raster, _results, _sampling,
-    _triangulation, _warnings
+    _arrays, _calls, _cubic, _held, _input, _interface, _interpolators, _library, _measured, _raster, _results,
+    _sampling, _spatial, _triangulation, _warnings, scipy,
 )  # fmt: skip
 README = os.path.join(ROOT, "Filters", "Python", "README.md")
 
@@ -42,8 +42,9 @@ class DocumentTest(unittest.TestCase):
 
     def public(self):
         """(name, object) of what callers use."""
-        for name in adaptivehilbertdelaunay.__all__:
-            found = getattr(adaptivehilbertdelaunay, name)
+        own = [(name, adaptivehilbertdelaunay) for name in adaptivehilbertdelaunay.__all__]
+        for name, module in [*own, *((name, scipy) for name in scipy.__all__)]:
+            found = getattr(module, name)
             yield name, found
             if inspect.isclass(found) and found.__module__.startswith("adaptivehilbertdelaunay"):
                 members = {}

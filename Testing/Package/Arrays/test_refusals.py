@@ -13,7 +13,7 @@ import warnings
 
 import numpy as np
 
-from adaptivehilbertdelaunay import DelaunayWarning, LinearInterpolator, NearestInterpolator, Raster, delaunay
+from adaptivehilbertdelaunay import DelaunayWarning, LinearInterpolator, NearestInterpolator, Raster, delaunay, scipy
 from arraysupport import SQUARE, cloud
 
 import literals  # (arraysupport has put its folder on the path)
@@ -21,8 +21,8 @@ import test_geometry
 import test_input
 
 FILE = pathlib.Path(__file__).with_name("Refusals.json")
-MODULES = ("_geometry.py", "_input.py", "_interpolators.py", "_names.py", "_raster.py", "_sampling.py",
-           "_triangulate.py", "_triangulation.py")  # fmt: skip
+MODULES = ("_geometry.py", "_input.py", "_interpolators.py", "_names.py", "_raster.py", "_sampling.py", "_spatial.py",
+           "_triangulate.py", "_triangulation.py", "scipy.py")  # fmt: skip
 # Exceptions that are caught again, with other texts.
 INSIDE = (" is not a number", '"voronoi_polygon"')
 NOT_MUST = re.compile("(is|are|has|have) to (be|have) ")
@@ -100,6 +100,7 @@ CALLS = {
     "source's ids": lambda: delaunay(SQUARE, source_points=SQUARE[:3], lines=[[0, 3]]),
     "plane of another shape": lambda: delaunay(SQUARE, plane=plane_of_shape),
     "what scipy calls otherwise": lambda: MADE.simplices,
+    "what scipy's has": lambda: MADE.add_points,
     "points across": lambda: delaunay(np.zeros((2, 9))),
     "loops of coordinates": lambda: delaunay(SQUARE, loops=[SQUARE[:3].tolist(), SQUARE[:4].tolist()]),
     "a loop of coordinates": lambda: delaunay(SQUARE, loops=SQUARE),
@@ -113,6 +114,27 @@ CALLS = {
 }
 for k, (_, given, _) in enumerate(test_geometry.WRONG):
     CALLS["constraints %d" % k] = lambda given=given: delaunay(SQUARE, constraints=given)
+CALLS.update({
+    "scipy: furthest_site": lambda: scipy.Delaunay(SQUARE, furthest_site=True),
+    "scipy: qhull_options": lambda: scipy.Delaunay(SQUARE, qhull_options="Qbb Qu"),
+    "scipy: points on a line": lambda: scipy.Delaunay([[0, 0], [1, 1], [2, 2]]),
+    "scipy: points in space": lambda: scipy.Delaunay(cloud(1, 6, 3)),
+    "scipy: points of text": lambda: scipy.Delaunay([["a", "b"]]),
+    "scipy: points that are not finite": lambda: scipy.griddata([[0, 0], [np.nan, 1], [1, np.inf]], [1, 2, 3], PLACE),
+    "scipy: masked points": lambda: scipy.Delaunay(MASKED),
+    "scipy: places in space": lambda: scipy.Delaunay(SQUARE).find_simplex([1, 2, 3]),
+    "scipy: add_points": lambda: scipy.Delaunay(SQUARE).add_points(SQUARE),
+    "scipy: rescaled triangulation": lambda: scipy.LinearNDInterpolator(scipy.Delaunay(SQUARE), VALUES, rescale=True),
+    "scipy: too few values": lambda: scipy.LinearNDInterpolator(SQUARE, VALUES[:5]),
+    "scipy: values of text": lambda: scipy.CloughTocher2DInterpolator(SQUARE, ["a"] * 6),
+    "scipy: fill_value": lambda: scipy.LinearNDInterpolator(SQUARE, VALUES, 1j),
+    "scipy: places of an interpolator": lambda: scipy.LinearNDInterpolator(SQUARE, VALUES)([1, 2, 3]),
+    "scipy: bounding points": lambda: scipy.CloughTocher2DInterpolator(delaunay(SQUARE, bounding=True), VALUES),
+    "scipy: another norm": lambda: scipy.NearestNDInterpolator(SQUARE, VALUES)(PLACE, p=1),
+    "scipy: tree": lambda: scipy.NearestNDInterpolator(SQUARE, VALUES).tree,
+    "scipy: method": lambda: scipy.griddata(SQUARE, VALUES, PLACE, "natural"),
+    "scipy: one dimension": lambda: scipy.griddata(VALUES, VALUES, VALUES),
+})  # fmt: skip
 for k, (_, points, _) in enumerate(test_input.RefusedTest.POINTS):
     CALLS["points %d" % k] = lambda points=points: delaunay(points)
 for k, (_, name, value, _) in enumerate(test_input.RefusedTest.KEYWORDS):
@@ -125,7 +147,7 @@ def refusal_of(call):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", DelaunayWarning)
             call()
-    except (AttributeError, TypeError, ValueError, MemoryError) as error:
+    except (AttributeError, RuntimeError, TypeError, ValueError, MemoryError) as error:
         return "%s: %s" % (type(error).__name__, error)
     return "taken"
 
