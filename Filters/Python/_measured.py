@@ -103,3 +103,31 @@ class Measured(Sampled):
 
         made: np.ndarray = self._made("circumcenters", make)
         return made
+
+    def to_matplotlib(self, mask: Any = None) -> Any:
+        """This triangulation for matplotlib's `tripcolor`, `tricontourf`, `CubicTriInterpolator`, ...
+
+        The triangle of a place is found by this package, exactly: triangulations with slivers are valid, too, for which
+        matplotlib's own finder says "Triangulation is invalid". `x` and `y` are those in the plane of the
+        triangulation, values are one for each of `points`.
+
+        Parameters
+        ----------
+        mask : (t,) array of bool, optional
+            Triangles that are not shown; `set_mask` of the result changes it.
+
+        Returns
+        -------
+        matplotlib.tri.Triangulation
+            Of a class of its own, whose `get_trifinder` is exact.
+
+        Raises
+        ------
+        ImportError
+            There is no matplotlib.
+        ValueError
+            There are no triangles, or `mask` is of another length.
+        """
+        from ._matplotlib import Shown
+
+        return Shown(self, mask)  # type: ignore[arg-type]

@@ -24,6 +24,7 @@ MODULES = (
     _sampling, _spatial, _triangulation, _warnings, scipy,
 )  # fmt: skip
 README = os.path.join(ROOT, "Filters", "Python", "README.md")
+COMING_FROM = os.path.join(ROOT, "Filters", "Python", "ComingFrom.md")
 
 
 class DocumentTest(unittest.TestCase):
@@ -39,6 +40,20 @@ class DocumentTest(unittest.TestCase):
         result = doctest.testfile(README, module_relative=False)
         self.assertEqual(result.failed, 0)
         self.assertGreater(result.attempted, 8)
+
+    def test_coming_from_others(self):
+        """The page's examples and, in what they define, each of this package's expressions."""
+        with open(COMING_FROM, encoding="utf-8") as file:
+            text = file.read()
+        self.assertEqual(doctest.testfile(COMING_FROM, module_relative=False).failed, 0)
+        names = {}
+        for example in doctest.DocTestParser().get_examples(text):
+            exec(example.source, names)
+        rows = re.findall(r"^\| .*? \| `([^|`]*)` \|", text, re.MULTILINE)
+        self.assertGreater(len(rows), 35)
+        for row in rows:
+            if "matplotlib" not in row:  # Foreign/ has it
+                self.assertIsNotNone(eval(row, names), row)
 
     def public(self):
         """(name, object) of what callers use."""

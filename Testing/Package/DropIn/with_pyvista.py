@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs a script with PyVista, which is installed from PyPI, into a venv of its own, if it is not there yet.
+"""Runs a script with PyVista, or what else the file requirements.txt beside the script names, which is installed from
+PyPI, into a venv of its own, if it is not there yet.
 
     with_pyvista.py <folder of the venv> <script>
 
@@ -12,21 +13,20 @@ import subprocess
 import sys
 from pathlib import Path
 
-REQUIREMENTS = Path(__file__).resolve().parent / "requirements.txt"
 SECONDS = 240
 
 
-def install(folder):
+def install(folder, requirements):
     """Makes the venv unless it is complete; returns the error, or None."""
     done = folder / "requirements.txt"
-    wanted = REQUIREMENTS.read_text(encoding="utf-8")
+    wanted = requirements.read_text(encoding="utf-8")
     if done.exists() and done.read_text(encoding="utf-8") == wanted:
         return None
     clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
     pip = [folder / "bin" / "python", "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
     commands = [
         ["/usr/bin/python3", "-m", "venv", "--clear", "--system-site-packages", folder],
-        [*pip, "--no-deps", "--no-compile", "--retries", "2", "--requirement", REQUIREMENTS],
+        [*pip, "--no-deps", "--no-compile", "--retries", "2", "--requirement", requirements],
     ]
     for command in commands:
         try:
@@ -49,10 +49,10 @@ def install(folder):
 
 
 def main():
-    folder, script = Path(sys.argv[1]).resolve(), sys.argv[2]
-    trouble = install(folder)
+    folder, script = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
+    trouble = install(folder, script.with_name("requirements.txt"))
     if trouble:
-        print("PyVista could not be installed:", trouble)
+        print("what %s needs could not be installed: %s" % (script.name, trouble))
         sys.exit(1 if os.environ.get("CI") == "true" else 77)
     sys.exit(subprocess.run([str(folder / "bin" / "python"), script], check=False).returncode)
 
