@@ -123,6 +123,13 @@ class DelaunayTest(ScipyTest):
         smooth = CloughTocher2DInterpolator(made.triangulation, square[:, 0], fill_value=-1)
         np.testing.assert_allclose(smooth([[1, 1], [5, 5], [7, 2]]), [1, -1, 7])
 
+    def test_of_a_triangulation_with_a_source(self):
+        """Its points have values of their own."""
+        inner, outline = cloud(1, 40) * 8 + 0.5, np.array([[0, 0], [9, 0], [9, 9], [0, 9]], float)
+        made = delaunay(inner, source_points=outline, loops=[[0, 1, 2, 3]])
+        smooth = CloughTocher2DInterpolator(made, np.concatenate((inner, outline)) @ [1, 2], tol=1e-10)
+        np.testing.assert_allclose(smooth([[0.1, 0.1], [8.9, 0.1], [4, 4]]), [0.3, 9.1, 12], rtol=1e-7)
+
     def test_no_scipy_is_needed(self):
         self.assertNotIn("scipy", sys.modules)
 

@@ -4,6 +4,8 @@
 import doctest
 import pathlib
 import re
+import subprocess
+import sys
 
 import matplotlib.figure
 import matplotlib.tri
@@ -15,7 +17,8 @@ import scipy.spatial
 import adaptivehilbertdelaunay.scipy as ours
 from adaptivehilbertdelaunay import delaunay
 
-PAGE = pathlib.Path(__file__).resolve().parents[3] / "Filters" / "Python" / "ComingFrom.md"
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+PAGE = ROOT / "Filters" / "Python" / "ComingFrom.md"
 CASES = [(seed, count) for seed in range(2) for count in (3, 4, 10, 100, 800)]
 
 
@@ -209,3 +212,17 @@ def test_plots_and_refusals():
         delaunay(points[:2]).to_matplotlib()
     with pytest.raises(ValueError, match="of one shape"):
         shown.get_trifinder()([1, 2], [1])
+
+
+def test_the_example(tmp_path):
+    """With scipy's imports it says the same, up to what scipy does not have."""
+    bay, picture = ROOT / "Data" / "Bay", tmp_path / "bay.png"
+    example = ROOT / "Plugin" / "Examples" / "bay_scipy.py"
+    command = [sys.executable, example, bay / "soundings.csv", bay / "coastline.vtp", picture]
+    said = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
+    assert len(said) == 3 and picture.stat().st_size > 30000
+    text, imports = example.read_text(encoding="utf-8"), re.compile("from adaptivehilbertdelaunay.scipy import .*")
+    theirs = "\n".join(re.findall("^    (from scipy.* import .*)$", text, re.MULTILINE))
+    program = imports.sub(theirs, text).split("# What scipy does not have")[0]
+    command = [sys.executable, "-c", program, bay / "soundings.csv", bay / "coastline.vtp", picture]
+    assert subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines() == said[:2]
