@@ -77,8 +77,9 @@ def uniform(count, seed):
 
 def attributes():
     """The names of a Triangulation's arrays."""
-    return [name for name, member in vars(Triangulation).items() if isinstance(member, property)
-            and not name.startswith("_") and name not in ("boxes", "counts", "measures")]  # fmt: skip
+    others = ("boxes", "counts", "measures", "vertex_neighbors", "vertex_triangles")
+    return [name for kind in Triangulation.__mro__ for name, member in vars(kind).items()
+            if isinstance(member, property) and not name.startswith("_") and name not in others]  # fmt: skip
 
 
 # --- Programs -----------------------------------------------------------------------------------------------
