@@ -18,8 +18,8 @@ import numpy as np
 
 from ._measured import lists_of
 
-#: As many places at a time as the cache has room for.
-BLOCK = 1 << 12
+#: As many places or edges at a time as the cache has room for.
+BLOCK = 1 << 14
 
 
 def cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
@@ -59,8 +59,9 @@ class Network:
     def _sum(self, terms: Callable[[slice, slice], np.ndarray]) -> np.ndarray:
         """For each vertex the sum of the terms of its edges, which are made for a block of vertices at a time."""
         made = np.empty(len(self._ids), np.complex128)
-        for begin in range(0, len(made), BLOCK):
-            starts = self._offsets[begin : begin + BLOCK + 1]
+        most = BLOCK // 6  # vertices: each has six edges, nearly
+        for begin in range(0, len(made), most):
+            starts = self._offsets[begin : begin + most + 1]
             block, edges = slice(begin, begin + len(starts) - 1), slice(starts[0], starts[-1])
             made[block] = np.add.reduceat(terms(block, edges), starts[:-1] - starts[0])
         return made
@@ -98,7 +99,7 @@ class Network:
         determinant[determinant == 0] = np.inf  # all of its edges are left out
         found, step, factor, rho = np.zeros_like(wanted), np.zeros_like(wanted), 1.0, 0.5
         changes: List[float] = []
-        while len(changes) < maxiter and not _is_at_rest(changes, tol):
+        while len(changes) < maxiter and not _is_at_rest(changes, tol / 8):  # mostly as close as scipy's
             lacking = wanted - whole * found - turned * found.conj() - self._sum(coupled)
             step = (factor - 1) * step + factor / determinant * (whole * lacking - turned * lacking.conj())
             found = found + step
@@ -139,63 +140,76 @@ def crossings(points: np.ndarray, triangles: np.ndarray, neighbors: np.ndarray) 
     return made
 
 
-def weights_in(corners: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """(k, 3): the weights of the corners, (k, 3, 2), at one place each; NaN in slivers, where rounding takes more than
-    the tenth digit of them."""
-    first, second, to = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0], places - corners[:, 0]
-    area = cross(first, second)
-    area[abs(area) <= 1e-6 * np.hypot(*first.T) * np.hypot(*second.T)] = np.nan
-    one, two = cross(to, second) / area, cross(first, to) / area
-    return np.stack((1 - one - two, one, two), axis=1)
+def weights_in(x: np.ndarray, y: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """(3, k): the weights of the corners at x and y, (3, k), at one place each; NaN in slivers, where rounding takes
+    more than the tenth digit of them."""
+    first_x, first_y, second_x, second_y = x[1] - x[0], y[1] - y[0], x[2] - x[0], y[2] - y[0]
+    to_x, to_y = places[:, 0] - x[0], places[:, 1] - y[0]
+    area = first_x * second_y - first_y * second_x
+    area[abs(area) <= 1e-6 * np.hypot(first_x, first_y) * np.hypot(second_x, second_y)] = np.nan
+    one, two = (to_x * second_y - to_y * second_x) / area, (first_x * to_y - first_y * to_x) / area
+    return np.stack((1 - one - two, one, two))
+
+
+#: By the corner with the least weight: the corners of the third that has the place, and that one.
+_ORDERS = np.array([[1, 2, 0], [2, 0, 1], [0, 1, 2]])
 
 
 class Patches:
     """The surface on the triangles of a triangulation."""
 
     def __init__(self, points: np.ndarray, triangles: np.ndarray, neighbors: np.ndarray) -> None:
-        self._points, self._triangles = points, triangles
-        self._crossings = crossings(points, triangles, neighbors)
+        self._x, self._y = points.T.copy()
+        self._corners, self._shares = triangles.ravel(), crossings(points, triangles, neighbors).ravel()
 
     def at(
         self,
         rows: np.ndarray,
-        weights: Callable[[slice], np.ndarray],
+        places: np.ndarray,
+        exact: Callable[[np.ndarray, np.ndarray], np.ndarray],
         values: np.ndarray,
         gradients: np.ndarray,
     ) -> np.ndarray:
-        """(k, columns): at places by triangle and, for a slice of them, weights of its corners, (., 3); of values (n,
-        columns) and gradients (n, columns, 2)."""
+        """(k, columns): at places, (k, 2), by their triangles, of values (n, columns) and gradients (n, columns, 2).
+        `exact` gives the weights, (3, .), at places in slivers by triangle and place."""
         made = np.empty((len(rows), values.shape[1]), values.dtype)
         for begin in range(0, len(rows), BLOCK):
             block = slice(begin, begin + BLOCK)
-            given = weights(block)
-            order = (given.argmin(axis=1) + np.arange(1, 4)[:, None]) % 3  # the last is not of the place's third
-            local = given[np.arange(len(given)), order]
-            ids, shares = self._triangles[rows[block], order], self._crossings[rows[block], order]
-            corners = self._points[ids]
+            first = 3 * rows[block].astype(np.intp)
+            ids = self._corners.take(first + np.arange(3)[:, None])
+            x, y = self._x.take(ids), self._y.take(ids)
+            weights = weights_in(x, y, places[block])
+            lost = np.flatnonzero(np.isnan(weights[0]))
+            if len(lost):
+                weights[:, lost] = exact(rows[block][lost], places[block][lost])
+            order = _ORDERS.take(weights.argmin(axis=0), axis=1)
+            chosen = order * len(first) + np.arange(len(first))
+            weights, ids, x, y = (array.ravel().take(chosen) for array in (weights, ids, x, y))
+            shares = self._shares.take(first + order)
             for column in range(values.shape[1]):
-                made[block, column] = _cubic(local, corners, values[ids, column], gradients[ids, column], shares)
+                heights, slopes = values[:, column][ids], (gradients[:, column, k][ids] for k in range(2))
+                made[block, column] = _cubic(weights, x, y, heights, slopes, shares)
         return made
 
 
-def _cubic(local: Any, corners: Any, heights: Any, slopes: Any, shares: Any) -> Any:
+def _cubic(weights: Any, x: Any, y: Any, heights: Any, slopes: Any, shares: Any) -> Any:
     """The value by Bézier's ordinates: on the third between the corners a and b and the centroid, of the triangle a, b,
-    c. All arguments are of a, b, c, or of the edges ab, bc, ca."""
+    c. All arguments are of a, b, c, or of the edges ab, bc, ca; slopes are two arrays, d/dx and d/dy."""
+    gx, gy = slopes
     at: Any = [[None] * 3 for _ in range(3)]  # at[i][j]: a third of the way from corner i to corner j
-    for i in range(3):
-        for j in range(3):
-            if i != j:
-                step = corners[j] - corners[i]
-                at[i][j] = heights[i] + (slopes[i, :, 0] * step[:, 0] + slopes[i, :, 1] * step[:, 1]) / 3
-    inner = [(heights[i] + at[i][(i + 1) % 3] + at[i][(i + 2) % 3]) / 3 for i in range(3)]  # towards the centroid
+    for i, j in ((0, 1), (1, 2), (2, 0)):
+        step_x, step_y = (x[j] - x[i]) / 3, (y[j] - y[i]) / 3
+        at[i][j] = heights[i] + gx[i] * step_x + gy[i] * step_y
+        at[j][i] = heights[j] - gx[j] * step_x - gy[j] * step_y
+    inner = [(heights[i] + at[i][i - 2] + at[i][i - 1]) / 3 for i in range(3)]  # towards the centroid
     middle = []  # beside the middle of each edge
     for i in range(3):
         j, share = (i + 1) % 3, shares[i]
         bends = heights[i] - 2 * at[i][j] + at[j][i], at[i][j] - 2 * at[j][i] + heights[j]
         middle.append((inner[i] + inner[j] - share * bends[0] - (1 - share) * bends[1]) / 2)
     near = [(inner[i] + middle[i] + middle[i - 1]) / 3 for i in range(3)]
-    c = 3 * local[2]
-    a, b = local[0] - local[2], local[1] - local[2]
+    c = 3 * weights[2]
+    a, b = weights[0] - weights[2], weights[1] - weights[2]
     return (
         a * a * (a * heights[0] + 3 * (b * at[0][1] + c * inner[0]))
         + b * b * (b * heights[1] + 3 * (a * at[1][0] + c * inner[1]))

@@ -224,8 +224,8 @@ class Delaunay:
             nearest = self.triangulation._nearest_places(places[left])
             rows = self.triangulation.locate(nearest).triangle
             rows = np.where(rows < 0, self._within_rounding(nearest), rows)
-            weights = weights_in(self.points[self.triangulation.triangles[rows]], places[left])
-            found[left] = np.where(weights.min(axis=1) >= -tol, rows, -1)
+            x, y = np.moveaxis(self.points[self.triangulation.triangles[rows].T], 2, 0)
+            found[left] = np.where(weights_in(x, y, places[left]).min(axis=0) >= -tol, rows, -1)
         return found
 
     def _within_rounding(self, places: np.ndarray) -> np.ndarray:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, Tuple
 
 import numpy as np
 
-from ._cubic import Network, Patches, weights_in
+from ._cubic import Network, Patches
 from ._interpolators import NearestInterpolator, _Interpolator
 from ._made import frozen
 from ._raster import unmasked
@@ -124,7 +124,7 @@ def estimate_gradients_2d_global(tri: Delaunay, y: Any, maxiter: int = 400, tol:
     isComplex = given.dtype.kind == "c"
     parts = np.array(given, np.complex128 if isComplex else np.float64).reshape(len(given), -1).view(np.float64)
     network = Network(tri.points, tri.triangulation.edges)
-    found = [network.gradients(part, maxiter, tol / 8) for part in parts.T]  # mostly as close as scipy's
+    found = [network.gradients(part, maxiter, tol) for part in parts.T]
     if not all(converged for _, converged in found):
         text = "gradients were not found to the tolerance: values may be off (maxiter=%d, tol=%g)" % (maxiter, tol)
         warnings.warn(text, GradientEstimationWarning, stacklevel=_depth())
@@ -179,23 +179,17 @@ class CloughTocher2DInterpolator(_OnDelaunay):
         inside = np.flatnonzero(rows >= 0)
         rows, flat = rows[inside], flat[inside]
         made = np.full((len(places.reshape(-1, 2)), self.values.shape[1]), self.fill_value, self.values.dtype)
-        made[inside] = self._patches.at(
-            rows, lambda block: self._weights(rows[block], flat[block]), self.values, self.grad
-        )
+        made[inside] = self._patches.at(rows, flat, self._exact_weights, self.values, self.grad)
         return made.reshape(places.shape[:-1] + self.values_shape)
 
-    def _weights(self, rows: np.ndarray, places: np.ndarray) -> np.ndarray:
-        """Of the corners of the triangle of each place, (k, 3)."""
-        corners = self.triangulation.triangles[rows]
-        weights = weights_in(self.tri.points[corners], places)
-        lost = np.flatnonzero(np.isnan(weights[:, 0]))
-        if len(lost):
-            offsets, ids, exact = self.triangulation.weights(places[lost])
-            place = np.repeat(np.arange(len(lost)), np.diff(offsets))
-            entry, corner = np.nonzero(corners[lost][place] == ids[:, None])
-            weights[lost] = 0
-            weights[lost[place[entry]], corner] = exact[entry]
-        return weights
+    def _exact_weights(self, rows: np.ndarray, places: np.ndarray) -> np.ndarray:
+        """Of the corners of the triangle of each place, (3, k)."""
+        offsets, ids, exact = self.triangulation.weights(places)
+        place = np.repeat(np.arange(len(rows)), np.diff(offsets))
+        entry, corner = np.nonzero(self.triangulation.triangles[rows[place]] == ids[:, None])
+        made = np.zeros((3, len(rows)))
+        made[corner, place[entry]] = exact[entry]
+        return made
 
 
 class NearestNDInterpolator(_Called, NearestInterpolator):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Values between the points beside what others give: scipy's LinearNDInterpolator and NearestNDInterpolator,
+"""Values between the points beside what others give: scipy's Linear-, NearestND- and CloughTocher2DInterpolator,
 matplotlib's LinearTriInterpolator, GMT's triangulate -G, CGAL's natural_neighbor_coordinates_2.
 
 Both sides of a row are measured in turns, each by the CPU time of one thread, and their values are compared. Who is
@@ -24,6 +24,7 @@ from pathlib import Path
 
 import numpy as np
 from adaptivehilbertdelaunay import NearestInterpolator, delaunay
+from adaptivehilbertdelaunay.scipy import CloughTocher2DInterpolator, Delaunay, estimate_gradients_2d_global
 
 HEAD = """# Values between the points, beside others
 
@@ -110,6 +111,15 @@ def beside_scipy(case, table):
     nearest(case.scattered[:1])
     table.in_turns("nearest, scattered, evaluation: scipy", (count, lambda: nearest(case.scattered)),
                    (count, lambda: near(case.scattered)))  # fmt: skip
+    tri, theirs = Delaunay(case.points), found.CloughTocher2DInterpolator(case.points, case.values)
+    table.in_turns("cubic, gradients at the points: scipy",
+                   (len(case.points), lambda: estimate_gradients_2d_global(tri, case.values)),
+                   (len(case.points), lambda: found.CloughTocher2DInterpolator(theirs.tri, case.values).grad)
+                   )  # fmt: skip
+    ours = CloughTocher2DInterpolator(tri, case.values)
+    ours(*case.grid), theirs(case.scattered[:1])
+    table.in_turns("cubic, raster, evaluation: scipy", (size, lambda: ours(*case.grid)),
+                   (size, lambda: theirs(*case.grid)))  # fmt: skip
 
 
 def beside_matplotlib(case, table):
