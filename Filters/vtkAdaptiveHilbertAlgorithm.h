@@ -195,9 +195,12 @@ public:
   /// How lines of the source that end where they begin are treated. Lines: as edges of the surface,
   /// like other lines; right for contours. Loops: as outlines that bound the surface, like
   /// polygons; right for coastlines, lakes and borders from GeoJSON, shapefiles and .csv, which
-  /// come as lines. Default: LINES.
+  /// come as lines. Lines that meet end to end, as those of Extract Surface and Feature Edges, are
+  /// joined to such outlines. Default: LINES.
   /// A line is closed if its ends are the same point or have the same x and y in the plane of the
-  /// triangulation. In the order of the constraints, loops come after the other lines.
+  /// triangulation. Others are joined where two of them end, and no third; those that do not close
+  /// then stay lines of their own. In the order of the constraints, loops come after the other
+  /// lines.
   vtkSetClampMacro(ClosedLines, int, LINES, LOOPS);
   vtkGetMacro(ClosedLines, int);
   void SetClosedLinesToLines() { this->SetClosedLines(LINES); }

@@ -17,7 +17,8 @@ set(ahd_engine_headers Triangulate.h Options.h Constraints.h Result.h
   Crossings/Crossings.h Distribute/BlockBytes.h Distribute/BlockCuts.h Distribute/BlockTransport.h
   Distribute/BlockChains.h Distribute/BlockGhosts.h Distribute/BlockNeeds.h Distribute/BlockRim.h Distribute/BlockRoute.h
   Distribute/BlockStars.h Distribute/BlockTriangulation.h Distribute/Share.h Distribute/Steps.h
-  Merge/Merge.h Outline/Outline.h Points/JoinedBounds.h Points/Points.h Prepare/Prepare.h Prepare/Stacks.h
+  Merge/Merge.h Outline/Outline.h Points/JoinedBounds.h Points/Points.h Prepare/ClosedLines.h Prepare/Prepare.h
+  Prepare/Stacks.h
   Surface/CellArrays.h Surface/FindTriangles.h Surface/Footprint.h Surface/Means.h Surface/OrderDrawing.h Surface/Plane.h Surface/PlaneFit.h
   Surface/Selection.h Surface/Vectors.h Predicates/Predicates.h
   Interface/ahd.h Interface/ahd_messages.h Interface/ahd_outline.h Interface/ahd_sample.h Job/ArrayRows.h Job/Messages.h Job/OutlineRun.h Job/Run.h Job/RunMemory.h

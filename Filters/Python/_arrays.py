@@ -102,7 +102,7 @@ def delaunay(
         The z of the constraints' own points: as given, or interpolated on the surface of all others, where they lie on
         it.
     closed_lines_are_loops : bool, default False
-        Treat lines that end where they begin as loops.
+        Treat lines that end where they begin as loops, alone or joined end to end.
     fill_rule : {'orientation', 'even_odd'}, default 'even_odd'
         The regions that loops keep. 'even_odd': those inside an odd number of loops, whatever their direction.
         'orientation': those on the left of every loop edge that bounds them, and those that no loop bounds.

@@ -13,7 +13,8 @@ import pyvista
 from . import _raster, _vtk
 from ._geometry import constraints_of
 from ._input import PLANES, bytes_of, chosen_plane, polygon_of, real_of
-from ._interface import HEIGHTS_FROM_SURFACE, PLANE_BEST_FIT, SAY_TRIANGULATION, WORDS_OF_NUMPY, say, threads_told
+from ._interface import (
+    HEIGHTS_FROM_SURFACE, PLANE_BEST_FIT, SAY_TRIANGULATION, WORDS_OF_CLASS, WORDS_OF_NUMPY, say, threads_told)
 from ._keywords import MESH_KEYWORDS
 from ._names import value_of
 from ._sampling import METHODS, OUTSIDE
@@ -42,9 +43,13 @@ class _Messages:
     def __init__(self, algorithm, package, before=()):
         core = importlib.import_module(package + ".vtkCommonCore")
         self._said = list(before)
+        # closed_lines="loops" is the default: lines that are not closed are no fault
+        usual = say(SAY_TRIANGULATION, WORDS_OF_CLASS, {"lines_unclosed": 1}).values()
 
         def keep(_caller, event, text):
-            self._said.append((event, text.split("): ", 1)[-1].strip()))
+            text = text.split("): ", 1)[-1].strip()
+            if text not in usual:
+                self._said.append((event, text))
         keep.CallDataType = core.VTK_STRING
         for event in ("WarningEvent", "ErrorEvent"):
             algorithm.AddObserver(event, keep)

@@ -88,7 +88,7 @@ def delaunay_2d(
         The z of the constraints' own points: as given, or interpolated on the surface of all others, where they lie on
         it.
     closed_lines : {'lines', 'loops'}, default 'loops'
-        Whether lines that end where they begin are outlines, like polygons, or just lines.
+        Whether lines that end where they begin, alone or joined end to end, are outlines, like polygons, or just lines.
     fill_rule : {'orientation', 'even_odd'}, default 'even_odd'
         The regions that loops keep. 'even_odd': those inside an odd number of loops, whatever their direction.
         'orientation': those on the left of every loop edge that bounds them, and those that no loop bounds.

@@ -306,6 +306,7 @@ void vtkAHDRankExecution::ReportOn(const ahd::BlocksReport& counts, const ahd::B
   report.delaunayTriangles = counts.counts.triangles;
   report.MayBeEmptiedByLoops = counts.counts.triangles == 0 && chains.haveLoops();
   report.unfitIds = chains.unfitIds();
+  report.areLinesUnclosed = chains.areLinesUnclosed();
   report.Source = this->Facts.GetContent();
   for (const vtkAHDRankFacts& facts : this->Facts.Of)
   {

@@ -14,20 +14,18 @@ namespace
 
 enum Kind : std::size_t
 {
-  Open,
-  Closed,
+  Line,
   Polygon,
   Kinds
 };
 
 /// Chains of one kind.
-struct Chains
+struct OwnChains
 {
   std::vector<std::int64_t> ids;
   std::vector<std::int64_t> sizes; ///< of the chains
-  std::vector<std::int64_t> cells; ///< of the chains, from 0 for lines and for polygons
 
-  auto fields() { return std::tie(ids, sizes, cells); }
+  auto fields() { return std::tie(ids, sizes); }
 };
 
 } // namespace
@@ -35,17 +33,15 @@ struct Chains
 /// The constraints of one block.
 struct BlockChains::Own
 {
-  Chains of[Kinds];
+  OwnChains of[Kinds];
   std::int64_t lineCells = 0, polygonCells = 0;
+  std::vector<LineEnds> ends; ///< of lines, where closed ones are loops
   UnfitIds unfit;
 
   bool read(const InputRequest& request, const PreparedInput& prepared, const BlockIds& blockIds,
     Ticker& ticker);
 
-  auto fields()
-  {
-    return std::tie(of[Open], of[Closed], of[Polygon], lineCells, polygonCells, unfit);
-  }
+  auto fields() { return std::tie(of[Line], of[Polygon], lineCells, polygonCells, ends, unfit); }
 };
 
 bool BlockChains::Own::read(const InputRequest& request, const PreparedInput& prepared,
@@ -62,11 +58,13 @@ bool BlockChains::Own::read(const InputRequest& request, const PreparedInput& pr
   const ConstraintView chains = prepared.constraints();
   for (std::size_t chain = 0; chain != chains.chains; ++chain)
   {
-    const std::int64_t cell = prepared.cellOf(chain) - request.firstCell;
-    const bool isLine = cell < lineCells;
-    Chains& to = of[chain < chains.lines ? Open : isLine ? Closed : Polygon];
+    const bool isLine = chain < chains.lines;
+    OwnChains& to = of[isLine ? Line : Polygon];
     const std::int64_t begin = chains.offsets[chain], end = chains.offsets[chain + 1];
-    to.cells.push_back(isLine ? cell : cell - lineCells);
+    if (isLine && request.closedLinesAreLoops)
+    {
+      ends.push_back(prepared.endsOf(chain));
+    }
     to.sizes.push_back(end - begin);
     const auto add = [&](std::size_t i) { to.ids.push_back(blockIds.of(chains.ids[i])); };
     if (!inSteps(std::size_t(begin), std::size_t(end), ticker, add) || !ticker.step())
@@ -91,25 +89,25 @@ bool BlockChains::append(const std::vector<Own>& all, std::int64_t vertices, Tic
     firstPolygon.push_back(vertices);
     vertices += own.polygonCells;
   }
-  offsets_.push_back(0);
+  chains_.offsets.push_back(0);
   for (std::size_t kind = 0; kind != Kinds; ++kind)
   {
     for (std::size_t block = 0; block != all.size(); ++block)
     {
-      const Chains& some = all[block].of[kind];
-      const std::int64_t first = (kind == Polygon ? firstPolygon : firstLine)[block];
-      ids_.insert(ids_.end(), some.ids.begin(), some.ids.end());
-      for (std::size_t k = 0; k != some.sizes.size(); ++k)
+      const OwnChains& some = all[block].of[kind];
+      std::int64_t cell = (kind == Polygon ? firstPolygon : firstLine)[block];
+      chains_.ids.insert(chains_.ids.end(), some.ids.begin(), some.ids.end());
+      for (const std::int64_t size : some.sizes)
       {
-        offsets_.push_back(offsets_.back() + some.sizes[k]);
-        cells_.push_back(some.cells[k] + first);
+        chains_.offsets.push_back(chains_.offsets.back() + size);
+        chains_.cells.push_back(cell++);
         if (!ticker.step())
         {
           return false;
         }
       }
     }
-    lines_ = kind == Open ? cells_.size() : lines_;
+    chains_.lines = kind == Line ? chains_.cells.size() : chains_.lines;
   }
   for (std::size_t block = 0; block != all.size(); ++block)
   {
@@ -131,6 +129,20 @@ void BlockChains::addUnfit(const Own& own, std::int64_t firstLine, std::int64_t 
   unfit_.count += more.count;
 }
 
+/// Of the appended source.
+bool BlockChains::close(const std::vector<Own>& all, Ticker& ticker)
+{
+  std::vector<LineEnds> ends;
+  for (const Own& own : all)
+  {
+    ends.insert(ends.end(), own.ends.begin(), own.ends.end());
+  }
+  bool found = false;
+  const bool done = closeLines(ends, chains_, ticker, found);
+  areLinesUnclosed_ = !found && chains_.haveSegments();
+  return done;
+}
+
 Status BlockChains::join(const InputRequest& request, const PreparedInput& prepared,
   const BlockIds& ids, std::int64_t vertices, BlockTransport& transport, const Context& context)
 {
@@ -138,17 +150,20 @@ Status BlockChains::join(const InputRequest& request, const PreparedInput& prepa
   Steps steps(transport, context);
   steps.share(
     all, [&](Own& own, Ticker& ticker) { return own.read(request, prepared, ids, ticker); });
-  steps.each([&](Ticker& ticker) { return append(all, vertices, ticker); });
+  steps.each(
+    [&](Ticker& ticker) {
+      return append(all, vertices, ticker) && (!request.closedLinesAreLoops || close(all, ticker));
+    });
   return steps.status();
 }
 
 ConstraintView BlockChains::view() const
 {
   ConstraintView view;
-  view.ids = ids_.data();
-  view.offsets = offsets_.data();
-  view.chains = cells_.size();
-  view.lines = lines_;
+  view.ids = chains_.ids.data();
+  view.offsets = chains_.offsets.data();
+  view.chains = chains_.cells.size();
+  view.lines = chains_.lines;
   return view;
 }
 

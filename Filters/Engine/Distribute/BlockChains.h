@@ -30,33 +30,37 @@ struct BlockIds
 };
 
 /// The constraints of all blocks, as if their sources were appended: open lines, closed lines that
-/// are loops, polygons; of each kind those of block 0 first.
+/// are loops, alone or joined across blocks, polygons; of each kind those of block 0 first.
 class BlockChains
 {
 public:
-  /// Joins them, in global ids. `prepared`: the result of prepare() for a block's `request`.
-  /// `vertices`: cells of the appended source before its lines. Collective; returns Ok, Cancelled
-  /// or OutOfMemory, the same on all blocks.
+  /// Joins them, in global ids. `prepared`: the result of prepare() for a block's `request`, but
+  /// for closedLinesAreLoops, which is for all blocks together. `vertices`: cells of the appended
+  /// source before its lines. Collective; returns Ok, Cancelled or OutOfMemory, the same on all
+  /// blocks.
   Status join(const InputRequest& request, const PreparedInput& prepared, const BlockIds& ids,
     std::int64_t vertices, BlockTransport& transport, const Context& context);
 
   ConstraintView view() const;
   /// How many ids they have.
-  std::size_t idCount() const { return ids_.size(); }
-  bool haveLoops() const { return cells_.size() > lines_; }
+  std::size_t idCount() const { return chains_.ids.size(); }
+  bool haveLoops() const { return chains_.cells.size() > chains_.lines; }
   /// The cell of the appended source that a chain is made of.
-  std::int64_t cellOf(std::size_t chain) const { return cells_[chain]; }
+  std::int64_t cellOf(std::size_t chain) const { return chains_.cells[chain]; }
   /// Counts over all sources.
   const UnfitIds& unfitIds() const { return unfit_; }
+  /// Are there lines, and none is closed, though closed ones would be loops?
+  bool areLinesUnclosed() const { return areLinesUnclosed_; }
 
 private:
   struct Own;
   bool append(const std::vector<Own>& all, std::int64_t vertices, Ticker& ticker);
+  bool close(const std::vector<Own>& all, Ticker& ticker);
   void addUnfit(const Own& own, std::int64_t firstLine, std::int64_t firstPolygon);
 
-  std::vector<std::int64_t> ids_, offsets_, cells_;
-  std::size_t lines_ = 0;
+  Chains chains_;
   UnfitIds unfit_;
+  bool areLinesUnclosed_ = false;
 };
 
 } // namespace ahd

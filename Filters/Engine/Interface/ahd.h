@@ -223,7 +223,7 @@ AHD_API const char* ahd_message(const ahd_job* job);
  *   skip_mask        255      1 to 255: a point is skipped if its mark has one of these bits
  *   cell_ids         0        AHD_IDS_...
  *   first_cell       0        0 to 2^62: number of the first line in reports; loops follow lines
- *   closed_lines     0        0, 1: lines whose ends coincide in the plane are loops
+ *   closed_lines     0        0, 1: lines that are closed, alone or joined, are loops
  *   split_crossings  0        0, 1: split crossing segments by points; 0: the later is left out
  *   source_heights   0        AHD_HEIGHTS_...
  *   fill_rule        0        AHD_FILL_...
@@ -373,6 +373,7 @@ AHD_API ahd_status ahd_choose_plane(ahd_job* job, int64_t* plane);
  *   bent_segments, first_bent_cell
  *                       segments through a vertex that is not exactly on them
  *   points_off_surface  of the source, outside the triangulation of the input
+ *   lines_unclosed      0, 1: with closed_lines, there are lines, and none is a loop
  *   is_projected        0, 1: the plane is not that of x, y
  *   steep_plane         0, 1: with AHD_PLANE_BEST_FIT, it is steeper than 80 degrees, and the
  *                       points are no wall: z is a function of x, y, in a narrow footprint of the

@@ -178,6 +178,7 @@ constexpr Row kRows[] = {
   { Topic::Triangulation, "strips", "source_strips !constrains_nothing",
     "{source_strips} {source_strips?triangle strip|triangle strips} of the source "
     "{source_strips?is|are} ignored: only lines and polygons constrain." },
+  { Topic::Triangulation, "no closed line", "lines_unclosed", "{no_closed_line}" },
   { Topic::Triangulation, "off the surface", "points_off_surface",
     "{points_off_surface} of {source_points} {points_of_source} lie outside the surface of the "
     "input and keep their own z (see {source_heights})." },
@@ -300,6 +301,14 @@ constexpr Phrase kPhrases[] = {
       "more. They are points like the others.",
       "The source constrains nothing: it has no line and no polygon of two points or more. "
       "Found{source_strips+ (strips are ignored)}: {source_content}." } },
+  { "no_closed_line",
+    { "None of the lines is closed, alone or joined to others, so none is a loop (see "
+      "\"closed_lines\").{joined_where}",
+      "None of the lines of the source is closed, alone or joined to others, so none is an outline "
+      "(see ClosedLines).{joined_where}",
+      "None of the lines is closed, alone or joined to others, so none is a loop (see "
+      "`closed_lines_are_loops`).{joined_where}" } },
+  { "joined_where", { " Lines are joined where two of them end and no third." } },
   { "source_heights", { "\"source_heights\"", "SourceHeights", "`source_heights`" } },
   { "source_mode", { "\"cell_ids\"", "SourceMode" } },
   { "of_segments",

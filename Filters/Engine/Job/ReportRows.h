@@ -79,6 +79,7 @@ constexpr ReportRow<std::uint64_t> kCountRows[] = {
   { "first_bent_cell", true, [](const RunReport& r) { return std::uint64_t(r.firstBentCell); } },
   { "points_off_surface", true,
     [](const RunReport& r) { return std::uint64_t(r.pointsOffSurface); } },
+  { "lines_unclosed", true, [](const RunReport& r) { return std::uint64_t(r.areLinesUnclosed); } },
   { "steep_plane", true, [](const RunReport& r) { return std::uint64_t(r.isSteep); } },
   { "is_projected", true, [](const RunReport& r) { return std::uint64_t(r.isProjected); } },
   { "on_one_line", true,

@@ -337,6 +337,7 @@ void Run::reportOn(const RunResult& made)
   report_.firstBentCell = points.firstBentCell();
   report_.unfitIds = points.unfitIds();
   report_.pointsOffSurface = points.outsideCount();
+  report_.areLinesUnclosed = points.areLinesUnclosed();
   report_.isProjected = points.isProjected();
   report_.isSteep = points.plane().stance().isSteep;
   report_.keptEstimate = keptMemoryEstimate(counts_, settings_, report_);

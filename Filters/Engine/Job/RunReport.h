@@ -51,6 +51,7 @@ struct RunReport : RunSizes
   UnfitIds unfitIds;
   OddPoints oddPoints;
   std::size_t pointsOffSurface = 0; ///< of a source to be laid on the surface of the input
+  bool areLinesUnclosed = false;    ///< all, though closed ones would be loops
   bool isProjected = false;         ///< the plane is another than x, y
   bool isSteep = false;             ///< it is fitted and steep: Stance::isSteep
   /// In space, if tested: where there is no triangle in x, y.
@@ -73,8 +74,8 @@ struct RunReport : RunSizes
         threadsUsed, polygonFault, splits, countsWork, seconds, counts, constraints,
         delaunayTriangles, keptEstimate, triangles, lines, vertices, inputPoints, sourcePoints,
         addedPoints, mergedPoints, firstCrossing, bentConstraints, firstBentCell, unfitIds,
-        oddPoints, pointsOffSurface, isProjected, isSteep, areOnOneLine, areStacked,
-        foldedTriangles));
+        oddPoints, pointsOffSurface, areLinesUnclosed, isProjected, isSteep, areOnOneLine,
+        areStacked, foldedTriangles));
   }
 };
 static_assert(listsAll<Report>() && listsAll<ConstraintReport>() && listsAll<UnfitIds>() &&

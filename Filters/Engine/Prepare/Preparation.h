@@ -98,9 +98,7 @@ private:
   bool readCells(const Number* offsets, const Number* ids, std::size_t cells, Ticker& ticker);
   void readId(std::int64_t id);
   bool followMerged(Ticker& ticker);
-  bool isClosed(std::size_t chain) const;
   bool closeLines(Ticker& ticker);
-  bool reorderChains(const std::vector<std::int64_t>& order, Ticker& ticker);
   void addCrossings(const std::vector<CrossingPoint>& points);
   std::array<Index, 2> endsOf(std::size_t chain, std::size_t segment) const;
 

@@ -235,9 +235,10 @@ std::size_t preparationMemoryEstimate(const InputRequest& request)
 {
   const std::size_t segments = segmentsOf(request);
   const std::size_t chains = request.lines.cells + request.polygons.cells;
-  const bool orders = request.closedLinesAreLoops && segments > 0;
-  return preparedMemoryEstimate(request) +
-    (orders ? (segments + 3 * chains) * sizeof(std::int64_t) : 0) +
+  const bool closes = request.closedLinesAreLoops && segments > 0;
+  const std::size_t toClose = (segments + 3 * chains) * sizeof(std::int64_t) +
+    closingMemoryEstimate(request.lines.cells);
+  return preparedMemoryEstimate(request) + (closes ? toClose : 0) +
     (request.split && segments > 0 ? splitMemoryEstimate(segmentsToSplit(request), 0) : 0) +
     (request.heightsFromSurface ? CurveOrder::mostBytes(request.sourcePoints.count) : 0) +
     (request.fitPlane && !request.plane ? planeFitMemoryEstimate(expectedPoints(request)) : 0) +

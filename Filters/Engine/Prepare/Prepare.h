@@ -11,6 +11,7 @@
 #include "../Result.h"
 #include "../Surface/FindTriangles.h"
 #include "../Surface/Plane.h"
+#include "ClosedLines.h"
 
 #include <array>
 #include <cstddef>
@@ -61,8 +62,8 @@ struct InputRequest
   CellsView polygons;         ///< of the source: loops
   std::int64_t firstCell = 0; ///< the number of the first line in reports; polygons follow lines
   bool idsAreOfInput = false; ///< the ids in cells name points of the input, not of the source
-  /// Lines whose ends are one point, or have the same x and y in the plane, are loops. They follow
-  /// the open lines and precede the polygons.
+  /// Lines whose ends are one point, or have the same x and y in the plane, are loops, as lines
+  /// that join to such a line (ClosedLines.h). They follow the open lines and precede the polygons.
   bool closedLinesAreLoops = false;
 
   /// Points of the source take their height from the triangulation of the input alone, by linear
@@ -188,6 +189,10 @@ public:
   /// The source cell of a chain.
   std::int64_t cellOf(std::size_t chain) const;
   const UnfitIds& unfitIds() const { return unfit_; }
+  /// Are there lines, and none is closed, though closed ones would be loops?
+  bool areLinesUnclosed() const { return areLinesUnclosed_; }
+  /// The ends of a chain.
+  LineEnds endsOf(std::size_t chain) const;
 
   /// One for each crossing that was added.
   const std::vector<CrossingOrigin>& crossings() const { return crossings_; }
@@ -225,6 +230,7 @@ private:
   std::vector<std::int64_t> cells_; ///< of the chains, from 0; empty if chain k is of cell k
   std::int64_t firstCell_ = 0;
   UnfitIds unfit_;
+  bool areLinesUnclosed_ = false;
   std::vector<CrossingOrigin> crossings_;
   std::vector<std::array<std::int64_t, 2>> crossingCells_;
   std::size_t bentCount_ = 0;

@@ -3,6 +3,8 @@
 // The steps of a preparation that deal with constraints.
 #include "Preparation.h"
 
+#include <limits>
+#include <numeric>
 #include <utility>
 
 namespace ahd
@@ -101,77 +103,46 @@ bool Preparation::followMerged(Ticker& ticker)
   return true;
 }
 
-/// Does a line of three segments or more end where it begins?
-bool Preparation::isClosed(std::size_t chain) const
+LineEnds PreparedInput::endsOf(std::size_t chain) const
 {
-  const std::int64_t begin = out_.offsets_[chain], end = out_.offsets_[chain + 1];
-  if (end - begin < 4)
-  {
-    return false;
-  }
-  const std::int64_t first = out_.ids_[static_cast<std::size_t>(begin)];
-  const std::int64_t last = out_.ids_[static_cast<std::size_t>(end - 1)];
-  if (first < 0 || last < 0 || first == last)
-  {
-    return first == last && first >= 0;
-  }
-  const auto a = out_.place(static_cast<std::size_t>(first));
-  const auto b = out_.place(static_cast<std::size_t>(last));
-  return a[0] == b[0] && a[1] == b[1];
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const auto begin = static_cast<std::size_t>(offsets_[chain]);
+  const auto end = static_cast<std::size_t>(offsets_[chain + 1]);
+  const std::int64_t first = begin == end ? -1 : ids_[begin];
+  const std::int64_t last = begin == end ? -1 : ids_[end - 1];
+  const auto at = [&](std::int64_t id) {
+    return id < 0 ? Point{ kNone, kNone } : points_[static_cast<std::size_t>(id)];
+  };
+  return { at(first), at(last), (first == last && first >= 0) || at(first) == at(last) };
 }
 
 /// Puts the closed lines behind the open ones, where they are loops. Returns false if cancelled.
 bool Preparation::closeLines(Ticker& ticker)
 {
-  const std::size_t chains = out_.offsets_.size() - 1;
-  std::vector<std::int64_t> order, closed;
-  order.reserve(chains);
-  for (std::size_t chain = 0; chain < out_.lines_; ++chain)
+  std::vector<LineEnds> ends;
+  ends.reserve(out_.lines_);
+  for (std::size_t line = 0; line < out_.lines_; ++line)
   {
-    (isClosed(chain) ? closed : order).push_back(static_cast<std::int64_t>(chain));
+    ends.push_back(out_.endsOf(line));
     if (!ticker.step())
     {
       return false;
     }
   }
-  if (closed.empty())
+  Chains chains{ std::move(out_.ids_), std::move(out_.offsets_), {}, out_.lines_ };
+  chains.cells.resize(chains.offsets.size() - 1);
+  std::iota(chains.cells.begin(), chains.cells.end(), std::int64_t(0));
+  bool found = false;
+  const bool all = ahd::closeLines(ends, chains, ticker, found);
+  out_.areLinesUnclosed_ = !found && chains.haveSegments();
+  out_.ids_ = std::move(chains.ids);
+  out_.offsets_ = std::move(chains.offsets);
+  if (found)
   {
-    return true;
+    out_.lines_ = chains.lines;
+    out_.cells_ = std::move(chains.cells);
   }
-  const std::size_t lines = order.size();
-  order.insert(order.end(), closed.begin(), closed.end());
-  for (std::size_t chain = out_.lines_; chain < chains; ++chain)
-  {
-    order.push_back(static_cast<std::int64_t>(chain));
-  }
-  out_.lines_ = lines;
-  return reorderChains(order, ticker);
-}
-
-/// Chain k becomes the one that is `order[k]` now. Returns false if the work is cancelled.
-bool Preparation::reorderChains(const std::vector<std::int64_t>& order, Ticker& ticker)
-{
-  std::vector<std::int64_t> ids, offsets;
-  ids.reserve(out_.ids_.size());
-  offsets.reserve(out_.offsets_.size());
-  offsets.push_back(0);
-  for (const std::int64_t chain : order)
-  {
-    const auto* const range = out_.offsets_.data() + chain;
-    for (std::int64_t i = range[0]; i < range[1]; ++i)
-    {
-      ids.push_back(out_.ids_[static_cast<std::size_t>(i)]);
-      if (!ticker.step())
-      {
-        return false;
-      }
-    }
-    offsets.push_back(static_cast<std::int64_t>(ids.size()));
-  }
-  out_.ids_ = std::move(ids);
-  out_.offsets_ = std::move(offsets);
-  out_.cells_ = order;
-  return ticker.step();
+  return all;
 }
 
 Status Preparation::split()

@@ -30,9 +30,11 @@ DELAUNAY = (
     ("ClosedLines", "enum", 0,
      'How lines of the source that end where they begin are treated. Lines: as edges of the surface, like other '
      'lines; right for contours. Loops: as outlines that bound the surface, like polygons; right for coastlines, '
-     'lakes and borders from GeoJSON, shapefiles and .csv, which come as lines. Default: LINES. A line is closed '
-     'if its ends are the same point or have the same x and y in the plane of the triangulation. In the order of '
-     'the constraints, loops come after the other lines.',
+     'lakes and borders from GeoJSON, shapefiles and .csv, which come as lines. Lines that meet end to end, as '
+     'those of Extract Surface and Feature Edges, are joined to such outlines. Default: LINES. A line is closed '
+     'if its ends are the same point or have the same x and y in the plane of the triangulation. Others are '
+     'joined where two of them end, and no third; those that do not close then stay lines of their own. In the '
+     'order of the constraints, loops come after the other lines.',
      0, 1, ('Lines', 'Loops')),
     ("FillRule", "enum", 0,
      'Which side of the outlines (polygons and loops of the source) is kept. Even-odd: the inside of an odd '

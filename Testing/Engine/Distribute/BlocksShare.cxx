@@ -251,7 +251,11 @@ Source makeSources(std::uint64_t seed, std::vector<Source>& sources)
   for (Source& own : sources)
   {
     const auto first = std::int64_t(whole.points.size());
-    own.points = makePoints(Distribution::Uniform, std::size_t(1 + random.below(9)), seed);
+    // few places, so that lines of several blocks meet
+    for (std::uint64_t n = 1 + random.below(9); n > 0; --n)
+    {
+      own.points.push_back({ double(random.below(4)), double(random.below(3)) });
+    }
     own.vertices = std::int64_t(random.below(3));
     for (std::uint64_t n = random.below(6); n > 0; --n)
     {
@@ -280,6 +284,7 @@ void expectEqual(const BlockChains& joined, const PreparedInput& whole, std::uin
   ASSERT_EQ(found.chains, expected.chains) << seed;
   EXPECT_EQ(found.lines, expected.lines) << seed;
   EXPECT_EQ(joined.haveLoops(), expected.chains > expected.lines) << seed;
+  EXPECT_EQ(joined.areLinesUnclosed(), whole.areLinesUnclosed()) << seed;
   for (std::size_t chain = 0; chain < found.chains; ++chain)
   {
     EXPECT_EQ(Chain(found.ids + found.offsets[chain], found.ids + found.offsets[chain + 1]),
@@ -315,7 +320,9 @@ TEST(BlocksShare, ChainsAreThoseOfTheAppendedSource)
       {
         const InputRequest request = sources[b].request();
         PreparedInput prepared;
-        EXPECT_EQ(prepare(request, {}, prepared), Status::Ok);
+        InputRequest own = request;
+        own.closedLinesAreLoops = false;
+        EXPECT_EQ(prepare(own, {}, prepared), Status::Ok);
         BlockChains joined;
         EXPECT_EQ(
           joined.join(request, prepared, ids[b], appended.vertices, transport, {}), Status::Ok);

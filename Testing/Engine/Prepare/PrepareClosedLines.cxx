@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lines that end where they begin, as loops on request.
+// Lines that end where they begin, alone or joined to others, as loops on request.
 #include "PrepareCase.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
 
 namespace ahd
 {
@@ -83,6 +87,206 @@ TEST(PrepareClosedLines, WithoutOneNothingMoves)
   EXPECT_EQ(found.loops, (Cells{ { 6, 1, 2, 6 }, { 1, 2, 3 } }));
   found.loops.erase(found.loops.begin());
   EXPECT_EQ(found.open.size() + 1, expected.open.size());
+}
+
+/// kPoints[4] lies at the place of kPoints[0].
+TEST(PrepareClosedLines, LinesThatMeetAreJoined)
+{
+  struct Case
+  {
+    Cells lines;
+    std::vector<Ids> loops;
+    std::vector<std::int64_t> cells;
+  };
+  const std::vector<Case> cases = {
+    { { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 } }, { { 0, 1, 2, 3, 0 } }, { 0 } },
+    { { { 2, 3 }, { 1, 2 }, { 3, 4 }, { 0, 1 } }, { { 2, 3, 4, 0, 1, 2 } }, { 0 } },
+    // as that runs which begins at the least place: 3, 0 does not
+    { { { 1, 0 }, { 1, 2 }, { 3, 2 }, { 3, 0 } }, { { 0, 1, 2, 3, 0 } }, { 0 } },
+    { { { 1, 3 }, { 0, 1 }, { 0, 3 } }, { { 3, 1, 0, 3 } }, { 0 } },
+    // longer ones, with an open one between
+    { { { 3, 2, 1 }, { 5, 2 }, { 1, 0, 3 } }, { { 3, 2, 1, 0, 3 } }, { 0 } },
+  };
+  for (const Case& one : cases)
+  {
+    PrepareCase given({}, kPoints, one.lines, { { 1, 2, 3 } });
+    given.request.closedLinesAreLoops = true;
+    const Chains found = chainsOf(given);
+    ASSERT_EQ(found.loops.size(), one.loops.size() + 1);
+    EXPECT_EQ(found.loops.back(), (Ids{ 1, 2, 3 }));
+    EXPECT_TRUE(std::equal(one.loops.begin(), one.loops.end(), found.loops.begin()))
+      << ::testing::PrintToString(found.loops);
+    EXPECT_EQ(found.cells[found.open.size()], one.cells[0]);
+  }
+}
+
+TEST(PrepareClosedLines, WhereThreeEndEachEnds)
+{
+  const std::vector<Xyz> points = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } },
+    { { 0, 1, 0 } }, { { -1, 0, 0 } }, { { -1, -1, 0 } }, { { 0, -1, 0 } } };
+  const auto loopsOf = [&points](const Cells& lines)
+  {
+    PrepareCase given({}, points, lines);
+    given.request.closedLinesAreLoops = true;
+    return chainsOf(given).loops;
+  };
+  const Cells square = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 } };
+  const auto with = [&square](const Cells& more)
+  {
+    Cells all = square;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  EXPECT_EQ(loopsOf(with({ { 0, 4 } })).size(), 1u) << "a loop at the end of a line";
+  EXPECT_EQ(loopsOf(with({ { 0, 4 }, { 4, 5 }, { 5, 6 }, { 6, 0 } })).size(), 2u) << "an eight";
+  EXPECT_EQ(loopsOf(with({ { 0, 2 } })).size(), 0u) << "two places where three end";
+  EXPECT_EQ(loopsOf(with({ { 0, 1 } })).size(), 0u) << "one line twice";
+  EXPECT_EQ(loopsOf(with({ { 0, 4, 5, 0 } })).size(), 2u) << "a closed line ends nowhere";
+  EXPECT_EQ(loopsOf({ { 0, 1 }, { 1, 0 } }).size(), 0u) << "two segments";
+  EXPECT_EQ(loopsOf({ { 0, 1 }, { 1, 2, 0 } }).size(), 1u);
+}
+
+TEST(PrepareClosedLines, LinesThatAllStayOpenAreReported)
+{
+  const auto isReported = [](const Cells& lines, const Cells& polygons, bool closes)
+  {
+    PrepareCase given({}, kPoints, lines, polygons);
+    given.request.closedLinesAreLoops = closes;
+    PreparedInput out;
+    EXPECT_EQ(prepare(given.request, Context(), out), Status::Ok);
+    return out.areLinesUnclosed();
+  };
+  EXPECT_TRUE(isReported({ { 0, 1 }, { 1, 2 } }, {}, true));
+  EXPECT_TRUE(isReported({ { 0, 1 }, { 1, 2 } }, { { 1, 2, 3 } }, true));
+  EXPECT_FALSE(isReported({ { 0, 1 }, { 1, 2 } }, {}, false));
+  EXPECT_FALSE(isReported({ { 0, 1 }, { 1, 2 }, { 2, 3, 4 } }, {}, true));
+  EXPECT_FALSE(isReported({ { 0, 1 }, { 0, 1, 2, 0 } }, {}, true));
+  EXPECT_FALSE(isReported({}, { { 1, 2, 3 } }, true));
+  EXPECT_FALSE(isReported({ { 0 }, {}, { 2 } }, { { 1, 2, 3 } }, true)) << "no segment";
+}
+
+/// The places that each loop joins, and how often, whatever its direction and beginning.
+std::multiset<std::multiset<std::pair<Xyz, Xyz>>> placesOf(
+  const std::vector<Ids>& loops, const std::vector<Xyz>& points)
+{
+  std::multiset<std::multiset<std::pair<Xyz, Xyz>>> all;
+  for (const Ids& loop : loops)
+  {
+    std::multiset<std::pair<Xyz, Xyz>> segments;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      const Xyz& a = points[std::size_t(loop[i])];
+      const Xyz& b = points[std::size_t(loop[(i + 1) % loop.size()])];
+      a != b ? void(segments.insert(std::minmax(a, b))) : void();
+    }
+    all.insert(segments);
+  }
+  return all;
+}
+
+/// By their definition: lines with an end at one place belong together if no third has one there;
+/// what belongs together is a loop if all its ends are joined, or the two that are not lie at one
+/// place.
+std::size_t loopsByDefinition(const Cells& lines, const std::vector<Xyz>& points)
+{
+  std::map<Xyz, std::vector<std::size_t>> at;
+  std::vector<std::size_t> group(lines.size());
+  for (std::size_t k = 0; k < lines.size(); ++k)
+  {
+    group[k] = k;
+    const Xyz &first = points[std::size_t(lines[k].front())],
+              &last = points[std::size_t(lines[k].back())];
+    first != last ? at[first].push_back(k) : void();
+    first != last ? at[last].push_back(k) : void();
+  }
+  for (std::size_t turn = 0; turn < lines.size(); ++turn)
+  {
+    for (const auto& place : at)
+    {
+      if (place.second.size() == 2)
+      {
+        auto &a = group[place.second[0]], &b = group[place.second[1]];
+        a = b = std::min(a, b);
+      }
+    }
+  }
+  std::map<std::size_t, std::multiset<Xyz>> loose;
+  std::map<std::size_t, std::size_t> segments;
+  for (std::size_t k = 0; k < lines.size(); ++k)
+  {
+    segments[group[k]] += lines[k].size() - 1;
+    for (const std::int64_t id : { lines[k].front(), lines[k].back() })
+    {
+      const Xyz& place = points[std::size_t(id)];
+      at[place].size() == 2 ? void() : void(loose[group[k]].insert(place));
+    }
+  }
+  return std::size_t(std::count_if(segments.begin(), segments.end(),
+    [&](const auto& one)
+    {
+      const std::multiset<Xyz>& ends = loose[one.first];
+      return one.second > 2 &&
+        (ends.empty() || (ends.size() == 2 && *ends.begin() == *ends.rbegin()));
+    }));
+}
+
+TEST(PrepareClosedLines, LoopsDoNotDependOnOrderAndDirections)
+{
+  std::mt19937_64 random(5);
+  std::size_t all = 0;
+  for (int turn = 0; turn < 3000; ++turn)
+  {
+    // few places, each with two points
+    std::vector<Xyz> points;
+    const std::size_t places = 3 + random() % 8;
+    for (std::size_t i = 0; i < 2 * places; ++i)
+    {
+      points.push_back({ { double(i % places), double(i % places * 7 % 5), 0.0 } });
+    }
+    Cells lines(1 + random() % 8);
+    for (auto& line : lines)
+    {
+      line.resize(2 + (random() % 3 == 0 ? random() % 3 : 0));
+      std::generate(
+        line.begin(), line.end(), [&] { return std::int64_t(random() % points.size()); });
+    }
+    const auto loops = [&points](const Cells& some)
+    {
+      PrepareCase given({}, points, some);
+      given.request.closedLinesAreLoops = true;
+      const Chains found = chainsOf(given);
+      std::size_t segments = 0, expected = 0;
+      for (const auto* const chains : { &found.open, &found.loops })
+      {
+        for (const Ids& ids : *chains)
+        {
+          segments += placesOf({ ids }, points).begin()->size() -
+            (chains == &found.open &&
+              points[std::size_t(ids.front())] != points[std::size_t(ids.back())]);
+        }
+      }
+      for (const Ids& ids : some)
+      {
+        expected += placesOf({ ids }, points).begin()->size() -
+          (points[std::size_t(ids.front())] != points[std::size_t(ids.back())]);
+      }
+      EXPECT_EQ(segments, expected) << "none is lost";
+      return found.loops;
+    };
+    const auto expected = placesOf(loops(lines), points);
+    ASSERT_EQ(expected.size(), loopsByDefinition(lines, points)) << turn;
+    all += expected.size();
+    for (int again = 0; again < 3; ++again)
+    {
+      std::shuffle(lines.begin(), lines.end(), random);
+      for (auto& line : lines)
+      {
+        random() % 2 == 0 ? std::reverse(line.begin(), line.end()) : void();
+      }
+      ASSERT_EQ(placesOf(loops(lines), points), expected) << turn;
+    }
+  }
+  EXPECT_GT(all, 300u);
 }
 
 TEST(PrepareClosedLines, EndsThatAreMergedAreOnePoint)

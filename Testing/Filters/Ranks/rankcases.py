@@ -189,6 +189,16 @@ def with_one_source(made):
     return made
 
 
+def with_outline_in_pieces(made, missing=0):
+    """Lines of two points that are one outline together, in any direction, dealt to the ranks; some are missing."""
+    corners = ring(0.8, 12)
+    for rank, piece in enumerate(made):
+        own = [k for k in range(12 - missing) if k % len(made) == rank]
+        points = [corners[(k + end) % 12] for k in own for end in ((0, 1) if k % 5 else (1, 0))]
+        piece.source = (points, [[2 * i, 2 * i + 1] for i in range(len(own))], [])
+    return made
+
+
 def with_marks(made):
     for piece in made[1:]:
         piece.marks = [(0, 1, 2, 0, 32)[i % 5] for i in range(len(piece.points))]
@@ -271,6 +281,8 @@ def plain_cases(ranks):
         "sources' points, closed lines are lines": (with_own_points(pieces(uniform(800), ranks)), COORDINATES),
         "sources' points as floats": (with_own_points(pieces(uniform(200), ranks, "float")), COORDINATES),
         "source on an empty rank": (with_own_points(uneven(uniform(300), ranks)), COORDINATES),
+        "outline in pieces": (with_outline_in_pieces(pieces(uniform(800), ranks)), dict(COORDINATES, ClosedLines=1)),
+        "none is closed": (with_outline_in_pieces(pieces(uniform(800), ranks), 1), dict(COORDINATES, ClosedLines=1)),
         "one source": (with_one_source(pieces(uniform(800), ranks)), COORDINATES),
         "short edges": (with_sources(pieces(uniform(900), ranks), 4), dict(EVERYTHING, MaximumEdgeLength=0.09)),
         "no edge is short": (pieces(uniform(90), ranks), dict(EVERYTHING, MaximumEdgeLength=1e-9)),

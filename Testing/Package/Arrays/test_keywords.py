@@ -102,6 +102,17 @@ class ConstraintTest(KeywordTest):
         self.assertEqual(len(delaunay(SQUARE, lines=[ring], closed_lines_are_loops=False).triangles), 6)
         self.assertEqual(len(delaunay(SQUARE, lines=[ring], closed_lines_are_loops=True).triangles), 1)
 
+    def test_lines_that_meet_are_loops(self):
+        points = lattice(9)
+        pieces = [(20, 24), (60, 24), (56, 60), (56, 20)]  # around 4 x 4 squares, in any direction
+        self.assertEqual(area(delaunay(points, segments=pieces)), 64)
+        self.assertEqual(area(delaunay(points, segments=pieces, closed_lines_are_loops=True)), 16)
+        made = delaunay(points, segments=pieces, lines=[[10, 11]], loops=[RING], closed_lines_are_loops=True)
+        self.assertEqual(made.counts["lines_unclosed"], 0)
+        with self.assertWarnsRegex(DelaunayWarning, "None of the lines is closed.*closed_lines_are_loops"):
+            made = delaunay(points, segments=pieces[:3], closed_lines_are_loops=True)
+        self.assertEqual((area(made), made.counts["lines_unclosed"]), (64, 1))
+
     def test_equal_loops_count_once(self):
         points = lattice(9)
         outer, hole = [0, 8, 80, 72], [20, 24, 60, 56]

@@ -52,6 +52,7 @@ CASES = {
     "trimmed all": ({"trimmed_triangles": 50, "kept_triangles": 0, "cells": 0, "bare_vertices": 30}, 1.5, False),
     "bare": ({"trimmed_triangles": 8, "kept_triangles": 42, "bare_vertices": 1}, 0.0, False),
     "off the surface": ({"points_off_surface": 4}, 0.0, False),
+    "open lines": ({"lines_unclosed": 1}, 0.0, False),
     "crossing": ({"segments_crossing": 2, "first_crossing_cell": 5, "first_crossed_cell": 1}, 0.0, False),
     "crossing pieces": ({"segments_crossing": 2, "unfilled_loops": 1}, 0.0, True),
     "one bends": ({"bent_segments": 1, "first_bent_cell": 6}, 0.0, True),

@@ -6,7 +6,8 @@ AHD_WRITE_HASHES=1 with the compiled class writes the file anew."""
 import json
 import re
 
-from cases import CASES
+import cases
+import sourcecases
 from classtests import (BACKEND, FOLDER, TABLE, WRITES, Case, Filter, Hash, Said, core, model, run_tests, values_of,
                         write_rows)
 
@@ -101,7 +102,7 @@ def outputs_of(algorithm):
 class CasesTest(Case):
     def test_all(self):
         found = {}
-        for name, make in CASES.items():
+        for name, make in {**cases.CASES, **sourcecases.CASES}.items():
             try:
                 given = make()
             except AttributeError as error:  # cvista leaves out some classes

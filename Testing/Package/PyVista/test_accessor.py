@@ -104,6 +104,15 @@ class DelaunayTest(unittest.TestCase):
         lines = mesh.adaptive.delaunay_2d(edge_source=mesh, closed_lines="lines")
         self.assertAlmostEqual(area(lines), 100)
 
+    def test_an_outline_in_pieces(self):
+        """As `extract_feature_edges` gives it; lines of which none is closed are no fault here."""
+        mesh = mesh_of(box(0, 0, 10), lines=[2, 1, 0, 2, 1, 2, 2, 3, 2, 2, 3, 0])
+        made = mesh_of(scattered(300) / 50).adaptive.delaunay_2d(constraints=mesh)
+        self.assertAlmostEqual(area(made), 100)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", DelaunayWarning)
+            mesh_of(scattered(300)).adaptive.delaunay_2d(constraints=mesh_of(box(300, 300, 10), lines=[3, 0, 1, 2]))
+
     def test_a_polygon_that_is_a_line_too(self):
         """PyVista's own example of a square with two holes."""
         square = pyvista.Polygon(n_sides=4, radius=8, fill=False).rotate_z(45)

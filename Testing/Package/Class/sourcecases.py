@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""More cases for test_cases.py: sources as users have them, and what is said of them."""
+
+from classtests import cloud, source
+from inputs import square
+
+CASES = {}
+
+
+def case(make):
+    """A function that makes an input and settings."""
+    CASES[make.__name__] = make
+    return make
+
+
+@case
+def lines_that_meet_as_loops():
+    given = source(lines=[(1, 0), (1, 2), (3, 2), (3, 0), (4, 5)])
+    return cloud(square((2, 2, 0), (2, 5, 0), (5, 2, 0))), dict(SourceData=given, ClosedLines=1, FillRule=1)
+
+
+@case
+def lines_of_which_none_is_closed():
+    return cloud(square((2, 2, 0))), dict(SourceData=source(lines=[(1, 0), (1, 2), (4, 3)]), ClosedLines=1)
+
+
+@case
+def a_ring_that_is_a_line_too():
+    given = source(lines=[(4, 5, 6, 4)], polygons=[(0, 1, 2, 3), (6, 5, 4)])
+    return cloud(square((2, 2, 0), (2, 5, 0), (5, 2, 0))), dict(SourceData=given, ClosedLines=1, FillRule=1)
