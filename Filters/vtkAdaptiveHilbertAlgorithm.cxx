@@ -133,6 +133,7 @@ void vtkAdaptiveHilbertAlgorithm::GetJobSettings(ahd::JobSettings& settings) con
 {
   settings.set(ahd::IntSetting::CellIds, this->SourceMode);
   settings.set(ahd::IntSetting::ClosedLines, this->ClosedLines);
+  settings.set(ahd::IntSetting::PointsAsLine, this->PointsAsLine);
   settings.set(ahd::IntSetting::FillRule, this->FillRule);
   settings.set(ahd::IntSetting::SplitCrossings, this->CrossingMode);
   settings.set(ahd::DoubleSetting::MaximumEdgeLength, this->MaximumEdgeLength);
@@ -167,6 +168,7 @@ void vtkAdaptiveHilbertAlgorithm::GetSettingsOfRanks(vtkAHDSettingsOfRanks& sett
   settings.Numbers = {
     { "SourceMode", double(this->SourceMode) },
     { "ClosedLines", double(this->ClosedLines) },
+    { "PointsAsLine", double(this->PointsAsLine) },
     { "FillRule", double(this->FillRule) },
     { "CrossingMode", double(this->CrossingMode) },
     { "MaximumEdgeLength", double(this->MaximumEdgeLength) },
@@ -195,6 +197,7 @@ void vtkAdaptiveHilbertAlgorithm::GetSettingsOfRanks(vtkAHDSettingsOfRanks& sett
     { "BoundingTriangulation", double(this->BoundingTriangulation != 0) },
   };
   const std::pair<bool, const char*> onOneRank[] = {
+    { this->PointsAsLine, "PointsAsLine" },
     { this->Alpha > 0, "Alpha" },
     { this->Tolerance > 0, "Tolerance" },
     { this->GenerateRegionIds, "GenerateRegionIds" },
@@ -257,6 +260,7 @@ void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SourceMode: " << this->SourceMode << "\n";
   os << indent << "SourceHeights: " << this->SourceHeights << "\n";
   os << indent << "ClosedLines: " << this->ClosedLines << "\n";
+  os << indent << "PointsAsLine: " << (this->PointsAsLine ? "On\n" : "Off\n");
   os << indent << "FillRule: " << this->FillRule << "\n";
   os << indent << "CrossingMode: " << this->CrossingMode << "\n";
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";

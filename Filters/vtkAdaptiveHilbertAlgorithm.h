@@ -208,6 +208,16 @@ public:
   ///@}
 
   ///@{
+  /// Take the points of a source that has nothing but points as one line, in their order: a table
+  /// of points along a shore or a road. If the first and the last have the same x and y, the line
+  /// is closed (see Closed Lines). A source with lines, polygons or triangle strips has its own.
+  /// Not used with Source Mode Point ids. Off by default.
+  vtkSetMacro(PointsAsLine, bool);
+  vtkGetMacro(PointsAsLine, bool);
+  vtkBooleanMacro(PointsAsLine, bool);
+  ///@}
+
+  ///@{
   /// Which side of the outlines (polygons and loops of the source) is kept. Even-odd: the inside of
   /// an odd number of outlines, whatever their direction. Orientation, as in vtkDelaunay2D: the
   /// left side of each, so counterclockwise outlines are filled, clockwise ones are holes, and they
@@ -799,6 +809,7 @@ protected:
   int SourceMode = SOURCE_IDS;
   int SourceHeights = OWN;
   int ClosedLines = LINES;
+  bool PointsAsLine = false;
   int FillRule = ORIENTATION;
   int CrossingMode = LEAVE_OUT;
   double MaximumEdgeLength = 0.0;

@@ -45,6 +45,7 @@ void vtkAHDInput::ReadCells(vtkPolyData* source)
   this->Found.Points = source->GetNumberOfPoints();
   this->Found.Vertices = source->GetNumberOfVerts();
   this->Found.Strips = source->GetNumberOfStrips();
+  this->Request.pointsAreLine = this->Request.pointsAreLine && this->Found.Strips == 0;
 }
 
 void vtkAHDInput::ReadMarks()

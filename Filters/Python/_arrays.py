@@ -35,6 +35,7 @@ def delaunay(
     plane: Plane = "xy",
     source_heights: Literal["own", "surface"] = "own",
     closed_lines_are_loops: bool = False,
+    points_as_line: bool = False,
     fill_rule: Literal["orientation", "even_odd"] = "even_odd",
     crossings: Literal["leave_out", "split"] = "leave_out",
     maximum_edge_length: float = 0.0,
@@ -103,6 +104,8 @@ def delaunay(
         it.
     closed_lines_are_loops : bool, default False
         Treat lines that end where they begin as loops, alone or joined end to end.
+    points_as_line : bool, default False
+        Take `source_points` as one line, in their order, if there are no segments, lines or loops.
     fill_rule : {'orientation', 'even_odd'}, default 'even_odd'
         The regions that loops keep. 'even_odd': those inside an odd number of loops, whatever their direction.
         'orientation': those on the left of every loop edge that bounds them, and those that no loop bounds.

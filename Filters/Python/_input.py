@@ -312,6 +312,8 @@ class Request:
             self.settings["cell_ids"] = library.IDS_OF_SOURCE
         elif self.settings["source_heights"] != library.HEIGHTS_OWN:
             raise ValueError("source_heights='surface' needs source_points")
+        elif self.settings["points_as_line"]:
+            raise ValueError("points_as_line needs source_points")
         self._take_chains(chains)
         self._take_plane(plane)
 

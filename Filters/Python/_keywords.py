@@ -20,6 +20,7 @@ class Keyword(NamedTuple):
 KEYWORDS = {
     "source_heights": Keyword("source_heights", "own", words=("own", "surface")),
     "closed_lines_are_loops": Keyword("closed_lines", False),
+    "points_as_line": Keyword("points_as_line", False),
     "fill_rule": Keyword("fill_rule", "even_odd", words=("orientation", "even_odd")),
     "crossings": Keyword("split_crossings", "leave_out", words=("leave_out", "split")),
     "maximum_edge_length": Keyword("maximum_edge_length", 0.0, least=0.0, most=math.inf),
@@ -44,6 +45,7 @@ KEYWORDS = {
 MESH_KEYWORDS = {
     "heights": Keyword("SourceHeights", "own", words=("own", "surface")),
     "closed_lines": Keyword("ClosedLines", "loops", words=("lines", "loops")),
+    "points_as_line": Keyword("PointsAsLine", False),
     "fill_rule": Keyword("FillRule", "even_odd", words=("orientation", "even_odd")),
     "crossings": Keyword("CrossingMode", "leave_out", words=("leave_out", "split")),
     "maximum_edge_length": Keyword("MaximumEdgeLength", 0.0, least=0.0, most=math.inf),

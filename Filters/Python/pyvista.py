@@ -43,6 +43,7 @@ def delaunay_2d(
     plane: Any = "automatic",
     heights: Literal["own", "surface"] = "own",
     closed_lines: Literal["lines", "loops"] = "loops",
+    points_as_line: bool = False,
     fill_rule: Literal["orientation", "even_odd"] = "even_odd",
     crossings: Literal["leave_out", "split"] = "leave_out",
     maximum_edge_length: float = 0.0,
@@ -89,6 +90,8 @@ def delaunay_2d(
         it.
     closed_lines : {'lines', 'loops'}, default 'loops'
         Whether lines that end where they begin, alone or joined end to end, are outlines, like polygons, or just lines.
+    points_as_line : bool, default False
+        Take the points of `constraints` as one line, in their order, if it has nothing but points.
     fill_rule : {'orientation', 'even_odd'}, default 'even_odd'
         The regions that loops keep. 'even_odd': those inside an odd number of loops, whatever their direction.
         'orientation': those on the left of every loop edge that bounds them, and those that no loop bounds.
@@ -193,6 +196,7 @@ def to_raster(
     constraints: Any = None,
     heights: Literal["own", "surface"] = "own",
     closed_lines: Literal["lines", "loops"] = "loops",
+    points_as_line: bool = False,
     fill_rule: Literal["orientation", "even_odd"] = "even_odd",
     crossings: Literal["leave_out", "split"] = "leave_out",
     maximum_edge_length: float = 0.0,
@@ -239,7 +243,7 @@ def to_raster(
         The plane, as in `delaunay_2d`. The raster lies in that plane.
     edge_source, constraints, progress_bar
         As in `delaunay_2d`.
-    heights, closed_lines, fill_rule, crossings, maximum_edge_length, alpha, rim
+    heights, closed_lines, points_as_line, fill_rule, crossings, maximum_edge_length, alpha, rim
         As in `delaunay_2d`.
     tol, duplicates, threads, memory_limit
         As in `delaunay_2d`.
@@ -277,6 +281,7 @@ def sample(
     constraints: Any = None,
     heights: Literal["own", "surface"] = "own",
     closed_lines: Literal["lines", "loops"] = "loops",
+    points_as_line: bool = False,
     fill_rule: Literal["orientation", "even_odd"] = "even_odd",
     crossings: Literal["leave_out", "split"] = "leave_out",
     maximum_edge_length: float = 0.0,
@@ -300,7 +305,7 @@ def sample(
         The points at which to interpolate, by x and y.
     method, outside, no_value, gradients, elevation, plane, edge_source, constraints, progress_bar
         As in `to_raster`.
-    heights, closed_lines, fill_rule, crossings, maximum_edge_length, alpha, rim
+    heights, closed_lines, points_as_line, fill_rule, crossings, maximum_edge_length, alpha, rim
         As in `delaunay_2d`.
     tol, duplicates, threads, memory_limit
         As in `delaunay_2d`.

@@ -334,6 +334,7 @@ std::map<std::string, double> FilterCase::ofSurface() const
     { "MergeBlocks", bit(kModes, 7) },
     { "Rim", head_[kOffset] % 3 },
     { "ClosedLines", bit(kThreadCount, 2) },
+    { "PointsAsLine", bit(kThreadCount, 4) },
     { "SourceHeights", bit(kThreadCount, 3) },
     { "GeneratePointStatus", bit(kExtras, 0) },
     { "GenerateConstraintEdges", bit(kExtras, 1) },

@@ -66,6 +66,7 @@ void setAnything(JobRun& run, const FuzzCase& given, const std::vector<double>& 
   run.set("alpha", bit(bits, 3) != 0 ? double(given.head[kMergeDistance]) : 0.0);
   run.set("split_crossings", bit(bits, 4));
   run.set("closed_lines", bit(bits, 5));
+  run.set("points_as_line", bit(given.head[kMostBoxes], 0));
   run.set("duplicates", std::int64_t(bits >> 6));
   run.set("rim", std::int64_t(more % 3));
   run.set("want_voronoi", bit(more, 2));

@@ -298,9 +298,12 @@ constexpr Phrase kPhrases[] = {
   { "convex_rim", { "\"rim\" to AHD_RIM_CONVEX_HULL", "Rim to Convex Hull", "rim='convex_hull'" } },
   { "nothing_constrained",
     { "The source_points constrain nothing: there are no segments, lines or loops of two points or "
-      "more. They are points like the others.",
+      "more. They are points like the others{may_be_line+; with {points_as_line} they are a "
+      "line, in their order}.",
       "The source constrains nothing: it has no line and no polygon of two points or more. "
-      "Found{source_strips+ (strips are ignored)}: {source_content}." } },
+      "Found{source_strips+ (strips are ignored)}: {source_content}.{may_be_line+ With "
+      "SourceMode Coordinates and {points_as_line} its points are a line, in their order.}" } },
+  { "points_as_line", { "\"points_as_line\"", "PointsAsLine", "points_as_line" } },
   { "no_closed_line",
     { "None of the lines is closed, alone or joined to others, so none is a loop (see "
       "\"closed_lines\").{joined_where}",

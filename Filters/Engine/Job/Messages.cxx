@@ -68,6 +68,7 @@ void addOfTriangulation(Facts& f)
   f.add({ "are_unsaid", f["segments_crossing"] == 0 }); // loops that bound nothing
   const bool hasSource = f["source_points"] + f["source_strips"] > 0;
   f.add({ "constrains_nothing", hasSource && f["segments"] == 0 });
+  f.add({ "may_be_line", f["source_points"] > 1 && f["source_strips"] == 0 });
   const auto addContent = [&f](const char* what, const char* one, const char* many)
   {
     if (const std::int64_t count = f[what])

@@ -25,6 +25,7 @@ void JobSettings::read(RunSettings& run) const
   put((*this)[IntSetting::InsertionLimit], run.options.insertionLimit);
   put((*this)[IntSetting::UnfittedPoints], run.unfittedPoints);
   put((*this)[IntSetting::ClosedLines], run.closedLinesAreLoops);
+  put((*this)[IntSetting::PointsAsLine], run.pointsAreLine);
   put((*this)[IntSetting::SplitCrossings], run.split);
   put((*this)[IntSetting::SourceHeights], run.heightsFromSurface);
   put((*this)[IntSetting::FillRule], run.fillRule);

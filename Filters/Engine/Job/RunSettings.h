@@ -25,6 +25,7 @@ struct RunSettings
   bool showsMeans = false; ///< of places with several points, in space
   bool idsAreOfInput = true;
   bool closedLinesAreLoops = false;
+  bool pointsAreLine = false;      ///< of a source that has nothing else
   bool heightsFromSurface = false; ///< of source points that are added
   bool split = false;
   FillRule fillRule = FillRule::Orientation;
@@ -101,6 +102,7 @@ struct RunSettings
   {
     request.idsAreOfInput = idsAreOfInput;
     request.closedLinesAreLoops = closedLinesAreLoops;
+    request.pointsAreLine = pointsAreLine;
     request.heightsFromSurface = heightsFromSurface;
     request.representative = options.representative;
     request.meanHeights = showsMeans;

@@ -98,6 +98,7 @@ private:
   bool readCells(const Number* offsets, const Number* ids, std::size_t cells, Ticker& ticker);
   void readId(std::int64_t id);
   bool followMerged(Ticker& ticker);
+  bool readPoints(Ticker& ticker);
   bool closeLines(Ticker& ticker);
   void addCrossings(const std::vector<CrossingPoint>& points);
   std::array<Index, 2> endsOf(std::size_t chain, std::size_t segment) const;

@@ -33,7 +33,12 @@ bool isProjected(const InputRequest& request)
 std::size_t segmentsToSplit(const InputRequest& request)
 {
   const CellsView& lines = request.lines;
-  return lines.ids - std::min(lines.ids, lines.cells) + request.polygons.ids;
+  return segmentsOf(request) - std::min(lines.ids, lines.cells);
+}
+
+std::size_t chainsOf(const InputRequest& request)
+{
+  return request.lines.cells + request.polygons.cells + (arePointsLine(request) ? 1 : 0);
 }
 
 /// The results of the tasks of a loop.
@@ -226,17 +231,24 @@ std::size_t expectedPoints(const InputRequest& request)
   return request.points.count + request.sourcePoints.count + (isBounded ? 8 : 0);
 }
 
+bool arePointsLine(const InputRequest& request)
+{
+  return request.pointsAreLine && !request.idsAreOfInput && request.sourcePoints.count > 1 &&
+    request.lines.cells + request.polygons.cells == 0;
+}
+
 std::size_t segmentsOf(const InputRequest& request)
 {
-  return request.lines.ids + request.polygons.ids; // a loop has as many as points, a line one less
+  // a loop has as many as points, a line one less
+  return arePointsLine(request) ? request.sourcePoints.count
+                                : request.lines.ids + request.polygons.ids;
 }
 
 std::size_t preparationMemoryEstimate(const InputRequest& request)
 {
   const std::size_t segments = segmentsOf(request);
-  const std::size_t chains = request.lines.cells + request.polygons.cells;
   const bool closes = request.closedLinesAreLoops && segments > 0;
-  const std::size_t toClose = (segments + 3 * chains) * sizeof(std::int64_t) +
+  const std::size_t toClose = (segments + 3 * chainsOf(request)) * sizeof(std::int64_t) +
     closingMemoryEstimate(request.lines.cells);
   return preparedMemoryEstimate(request) + (closes ? toClose : 0) +
     (request.split && segments > 0 ? splitMemoryEstimate(segmentsToSplit(request), 0) : 0) +
@@ -249,7 +261,7 @@ std::size_t preparedMemoryEstimate(const InputRequest& request)
 {
   const std::size_t count = expectedPoints(request);
   const std::size_t segments = segmentsOf(request);
-  const std::size_t chains = request.lines.cells + request.polygons.cells;
+  const std::size_t chains = chainsOf(request);
   const bool areCopied = count > request.points.count || isProjected(request);
   return (areCopied ? count * (3 * sizeof(double) + 1) : 0) +
     (segments > 0 ? (segments + chains) * sizeof(std::int64_t) : 0) +

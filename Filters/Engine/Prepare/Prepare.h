@@ -65,6 +65,8 @@ struct InputRequest
   /// Lines whose ends are one point, or have the same x and y in the plane, are loops, as lines
   /// that join to such a line (ClosedLines.h). They follow the open lines and precede the polygons.
   bool closedLinesAreLoops = false;
+  /// Where the source's own points are added, and it has no line and no polygon: they are a line.
+  bool pointsAreLine = false;
 
   /// Points of the source take their height from the triangulation of the input alone, by linear
   /// interpolation; those outside of it keep their own.
@@ -277,6 +279,9 @@ Status findBadCell(const CellsView& cells, const Context& context, BadCell& bad)
 
 /// The number of points for prepare(), crossings excepted.
 std::size_t expectedPoints(const InputRequest& request);
+
+/// Are the points of the source a line? See InputRequest::pointsAreLine.
+bool arePointsLine(const InputRequest& request);
 
 /// The number of segments of the source, at most.
 std::size_t segmentsOf(const InputRequest& request);

@@ -27,15 +27,32 @@ Status Preparation::readConstraints()
   const bool own = request_.idsAreOfInput;
   firstId_ = own ? 0 : static_cast<std::int64_t>(out_.inputCount_);
   idCount_ = static_cast<std::int64_t>(own ? out_.inputCount_ : out_.sourceCount_);
-  out_.firstCell_ = request_.firstCell;
-  out_.lines_ = request_.lines.cells;
+  const bool arePoints = arePointsLine(request_);
+  out_.firstCell_ = arePoints ? 0 : request_.firstCell;
+  out_.lines_ = arePoints ? 1 : request_.lines.cells;
   out_.ids_.reserve(segmentsOf(request_));
-  out_.offsets_.reserve(request_.lines.cells + request_.polygons.cells + 1);
+  out_.offsets_.reserve(out_.lines_ + request_.polygons.cells + 1);
   out_.offsets_.push_back(0);
-  const bool all = ticker.ask() && readCells(request_.lines, ticker) &&
-    readCells(request_.polygons, ticker) && followMerged(ticker) &&
-    (!request_.closedLinesAreLoops || closeLines(ticker));
+  const bool all = ticker.ask() &&
+    (arePoints ? readPoints(ticker)
+               : readCells(request_.lines, ticker) && readCells(request_.polygons, ticker)) &&
+    followMerged(ticker) && (!request_.closedLinesAreLoops || closeLines(ticker));
   return all ? Status::Ok : Status::Cancelled;
+}
+
+/// Of the source, as one line.
+bool Preparation::readPoints(Ticker& ticker)
+{
+  for (std::int64_t id = 0; id < idCount_; ++id)
+  {
+    readId(id);
+    if (!ticker.step())
+    {
+      return false;
+    }
+  }
+  out_.offsets_.push_back(idCount_);
+  return true;
 }
 
 bool Preparation::readCells(const CellsView& cells, Ticker& ticker)

@@ -189,6 +189,8 @@ class Execution:
             self.found.source_points = source.GetNumberOfPoints()
             self.found.source_vertices = source.GetNumberOfVerts()
             self.found.source_strips = source.GetNumberOfStrips()
+            if self.found.source_strips:
+                job.set(points_as_line=0)
         job.set(first_cell=self.found.source_vertices, unfitted_points=self.unfitted)  # verts come before lines
         if self.surface is not None:
             self.found.marks_are_unfit = False  # they are not looked at

@@ -36,6 +36,12 @@ DELAUNAY = (
      'joined where two of them end, and no third; those that do not close then stay lines of their own. In the '
      'order of the constraints, loops come after the other lines.',
      0, 1, ('Lines', 'Loops')),
+    ("PointsAsLine", "bool", False,
+     'Take the points of a source that has nothing but points as one line, in their order: a table of points '
+     'along a shore or a road. If the first and the last have the same x and y, the line is closed (see Closed '
+     'Lines). A source with lines, polygons or triangle strips has its own. Not used with Source Mode Point ids. '
+     'Off by default.',
+     None, None, ()),
     ("FillRule", "enum", 0,
      'Which side of the outlines (polygons and loops of the source) is kept. Even-odd: the inside of an odd '
      'number of outlines, whatever their direction. Orientation, as in vtkDelaunay2D: the left side of each, so '
@@ -460,6 +466,7 @@ OLD_NAMES = {
 SAME = {
     "cell_ids": "SourceMode",
     "closed_lines": "ClosedLines",
+    "points_as_line": "PointsAsLine",
     "fill_rule": "FillRule",
     "split_crossings": "CrossingMode",
     "maximum_edge_length": "MaximumEdgeLength",
@@ -488,6 +495,7 @@ SAME = {
 USED_UP = {
     "SourceMode": 0,
     "SourceHeights": 0,
+    "PointsAsLine": 0,
     "CrossingMode": 0,
     "MaximumEdgeLength": 0.0,
     "Alpha": 0.0,

@@ -97,3 +97,28 @@ TEST(SourceLines, ARingThatIsALineAndAPolygonCountsOnce)
   filter->SetClosedLinesToLoops();
   EXPECT_EQ(filter.Area(), 64.0 - 9.0);
 }
+
+TEST(SourceLines, PointsAreALineOnRequest)
+{
+  std::vector<Xyz> shore = squareOf(1.5, 4);
+  shore.push_back(shore[0]);
+  auto table = makeCloud(shore);
+  LinesFilter filter(squareLattice(10), table);
+  expectParts(filter.Warned(), { "constrains nothing", "PointsAsLine" });
+  filter->PointsAsLineOn();
+  EXPECT_EQ(filter.Area(), 81.0);
+  EXPECT_GE(filter->GetNumberOfConstraintEdges(), 4);
+  EXPECT_EQ(filter.Warned(), "");
+  filter->SetClosedLinesToLoops();
+  EXPECT_EQ(filter.Area(), 16.0);
+  filter->SetSourceModeToIds();
+  EXPECT_EQ(filter.Area(), 81.0) << "they stand for the input's";
+  filter->SetSourceModeToCoordinates();
+  table->SetStrips(makeCells({ { 0, 1, 2, 3 } }));
+  EXPECT_EQ(filter.Area(), 81.0) << "a surface is no line";
+  table->SetStrips(nullptr);
+  table->SetVerts(makeCells({ { 0 }, { 1 } }));
+  EXPECT_EQ(filter.Area(), 16.0);
+  table->SetLines(makeCells({ { 0, 1 } }));
+  EXPECT_EQ(filter.Area(), 81.0) << "it has lines of its own";
+}

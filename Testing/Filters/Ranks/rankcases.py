@@ -433,6 +433,7 @@ def known_gathered_cases(ranks):
         "points alone in sources": (with_points_alone(pieces(few, ranks)), lines, "GenerateRegionIds"),
         "one source": (with_values(with_one_source(pieces(few, ranks))), dict(coordinates, GenerateVoronoi=True),
                        "GenerateVoronoi"),
+        "points as line": (with_points_alone(pieces(few, ranks)), dict(coordinates, PointsAsLine=True), "PointsAsLine"),
         "from surface": (with_values(with_own_points(pieces(few, ranks))), dict(coordinates, SourceHeights=1),
                          "SourceHeights"),
     }

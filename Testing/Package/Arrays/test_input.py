@@ -207,6 +207,7 @@ class RefusedTest(unittest.TestCase):
         (TypeError, "closed_lines_are_loops", 1, "closed_lines_are_loops .* True or False, not 1"),
         (ValueError, "source_heights", "surface", "source_heights='surface' .* source_points"),
         (ValueError, "source_heights", "mine", "source_heights"),
+        (ValueError, "points_as_line", True, "points_as_line needs source_points"),
         (ValueError, "plane", "xz", "plane .* 'xz'"),
         (ValueError, "plane", np.eye(3), "plane"),
         (ValueError, "plane", None, "plane"),

@@ -122,6 +122,17 @@ class ConstraintTest(KeywordTest):
                                            closed_lines_are_loops=True)), 48)  # fmt: skip
         self.assertEqual(area(delaunay(points, loops=[outer, outer, outer])), 64)
 
+    def test_points_as_line(self):
+        shore = np.array([(1, 1), (5, 1), (5, 5), (1, 5), (1, 1)])
+        with self.assertWarnsRegex(DelaunayWarning, "constrain nothing.*points_as_line"):
+            self.assertEqual(len(edges(delaunay(lattice(9), source_points=shore))), 0)
+        made = delaunay(lattice(9), source_points=shore[:-1], points_as_line=True)
+        self.assertEqual((len(edges(made)) >= 3, area(made)), (True, 64))
+        made = delaunay(lattice(9), source_points=shore, points_as_line=True, closed_lines_are_loops=True)
+        self.assertEqual(area(made), 16)
+        made = delaunay(lattice(9), source_points=shore, points_as_line=True, loops=[[1, 2, 3]])
+        self.assertEqual(area(made), 8)
+
     def test_crossings_left_out(self):
         with self.assertWarnsRegex(DelaunayWarning, "1 of 2 segments were left out.*chain 1 and crosses chain 0"):
             made = delaunay(SQUARE, segments=[(0, 2), (1, 3)], crossings="leave_out")

@@ -28,3 +28,15 @@ def lines_of_which_none_is_closed():
 def a_ring_that_is_a_line_too():
     given = source(lines=[(4, 5, 6, 4)], polygons=[(0, 1, 2, 3), (6, 5, 4)])
     return cloud(square((2, 2, 0), (2, 5, 0), (5, 2, 0))), dict(SourceData=given, ClosedLines=1, FillRule=1)
+
+
+@case
+def points_as_line():
+    given = cloud([(1, 1, 0), (6, 1, 0), (1, 6, 0), (1, 1, 4)])
+    return cloud(square((2, 2, 0))), dict(SourceData=given, SourceMode=1, PointsAsLine=True, ClosedLines=1, FillRule=1)
+
+
+@case
+def strips_as_no_line():
+    given = source([(1, 1, 0), (6, 1, 0), (1, 6, 0), (1, 1, 4)], strips=[(0, 1, 2)])
+    return cloud(square((2, 2, 0))), dict(SourceData=given, SourceMode=1, PointsAsLine=True)

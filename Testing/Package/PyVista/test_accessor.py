@@ -121,6 +121,14 @@ class DelaunayTest(unittest.TestCase):
         hole = 15 * numpy.sin(2 * numpy.pi / 30)
         self.assertAlmostEqual(area(mesh.adaptive.delaunay_2d(edge_source=mesh)), 128 - 2 * hole, 4)
 
+    def test_points_as_line(self):
+        shore = mesh_of(box(2, 2, 3) + box(2, 2, 3)[:1])
+        points = mesh_of([(x, y, 0) for x in range(9) for y in range(9)])
+        made = points.adaptive.delaunay_2d(constraints=shore, points_as_line=True)
+        self.assertAlmostEqual(area(made), 9)
+        made = points.adaptive.delaunay_2d(constraints=shore, points_as_line=True, closed_lines="lines")
+        self.assertAlmostEqual(area(made), 64)
+
     def test_orientation(self):
         mesh = mesh_of(box(0, 0, 10) + box(2, 2, 3)[::-1], faces=[4, 0, 1, 2, 3, 4, 4, 5, 6, 7])
         made = mesh.adaptive.delaunay_2d(edge_source=mesh, fill_rule="orientation")

@@ -33,6 +33,7 @@ const SettingRow kSettingRows[] = {
     [](Filter* f, double v) { f->SetSourceHeights(static_cast<int>(v)); } },
   { "ClosedLines", false, 0, 0, 1,
     [](Filter* f, double v) { f->SetClosedLines(static_cast<int>(v)); } },
+  { "PointsAsLine", false, 0, 0, 1, [](Filter* f, double v) { f->SetPointsAsLine(v != 0); } },
   { "FillRule", false, 0, 0, 1, [](Filter* f, double v) { f->SetFillRule(static_cast<int>(v)); } },
   { "CrossingMode", false, 0, 0, 1,
     [](Filter* f, double v) { f->SetCrossingMode(static_cast<int>(v)); } },
