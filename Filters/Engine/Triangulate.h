@@ -83,6 +83,14 @@ Status triangulate(const PointView& points, const Options& options, Workspace& w
 Status constrain(Triangulation&& delaunay, const ConstraintView& constraints, FillRule rule,
   const Context& context, Triangulation& out);
 
+/// Is one of the first `count` points a corner of a kept triangle, or at the place of one? Soon
+/// known where many are. The phase is Phase::Outputs.
+///
+/// @pre constrain(); not yet trim()
+/// @return Ok, Cancelled or OutOfMemory
+Status keepsAnyOf(
+  const Triangulation& made, std::size_t count, const Context& context, bool& found);
+
 /// Removes flat triangles at the rim, for points on a surface in space that were projected into a
 /// plane, where a straight rim is only nearly straight. The convex hull then has slivers along it
 /// that are walls in space.

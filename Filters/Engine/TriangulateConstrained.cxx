@@ -98,6 +98,45 @@ bool trimState(State& state, const Context& context)
   return (!state.hasCorners || state.makeFlags(ticker)) && ticker.ask();
 }
 
+/// Is one of the first `count` points at the place of a corner of a kept triangle?
+bool findKept(const State& state, std::size_t count, Ticker& ticker, bool& found)
+{
+  std::vector<bool> isKept(state.points.count, false); // of vertices: a corner of a kept triangle
+  for (std::size_t k = 0; k < state.constrained.triangles(); ++k)
+  {
+    const Mesh::Slot slot = Mesh::slotOfTriangle(k);
+    if (!ticker.step())
+    {
+      return false;
+    }
+    if (state.constrained.isGhost(slot) || (state.marksOf(k) & kDropped) != 0)
+    {
+      continue;
+    }
+    for (Mesh::Halfedge h = slot; h != slot + 3; ++h)
+    {
+      const Index vertex = state.constrained.apex(h);
+      isKept[vertex] = true;
+      found = found || state.ranked.id[vertex] < count;
+    }
+    if (found)
+    {
+      return true;
+    }
+  }
+  // others may stand for them
+  for (std::size_t i = 0; i < count && !found; ++i)
+  {
+    const Index vertex = state.tables.vertexOf[i];
+    found = vertex != kNoIndex && isKept[vertex];
+    if (!ticker.step())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// Makes one triangulation from another, which is consumed; `change` returns false if cancelled.
 template <typename Change>
 Status makeOf(Triangulation&& from, Triangulation& out, Change change)
@@ -124,6 +163,18 @@ Status constrain(Triangulation&& delaunay, const ConstraintView& constraints, Fi
 {
   return makeOf(std::move(delaunay), out,
     [&](State& state) { return constrainState(state, constraints, rule, context); });
+}
+
+Status keepsAnyOf(const Triangulation& made, std::size_t count, const Context& context, bool& found)
+{
+  found = false;
+  const State* const state = TriangulationAccess::stateOf(made);
+  return unlessCancelled(
+    [&]
+    {
+      Ticker ticker(context.progress, Phase::Outputs, 0);
+      return !state || state->report.triangles == 0 || findKept(*state, count, ticker, found);
+    });
 }
 
 Status trim(Triangulation&& whole, const Context& context, Triangulation& out)

@@ -95,8 +95,10 @@ void vtkAHDRankExecution::Triangulate(const vtkAHDDataSets& data)
   surface.Select();
   const std::size_t firstCell = this->ShareOdds(points, block.report(), surface.GetCellCount());
   this->TakeGhosts(surface, firstCell);
+  this->LookForInput(chains, surface);
   surface.Write(data.Outputs[0], firstCell);
   this->ReportOn(block.report(), chains);
+  this->Report.sourceBounds = points.JoinSourceBounds();
   this->ReportOn(surface.GetRim());
 }
 
@@ -287,6 +289,19 @@ std::size_t vtkAHDRankExecution::ShareOdds(
   this->Report.oddPoints.firstNotFinite = static_cast<std::size_t>(
     std::max<std::int64_t>(firstOdd, 0));
   return before;
+}
+
+/// Do loops of sources with points of their own keep any of the inputs? Where source points may
+/// stand for others, or triangles are too large, that is not known.
+void vtkAHDRankExecution::LookForInput(
+  const ahd::BlockChains& chains, const vtkAHDRankSurface& surface)
+{
+  if (this->Facts.GetSourcePoints() > 0 && chains.haveLoops() && !this->Settings.limitsSize() &&
+    this->Settings.options.representative == ahd::Representative::FirstId)
+  {
+    this->Report.loopsMissInput = this->Report.triangles > 0 &&
+      !this->Ranks.IsAny(surface.HasPointOfInput());
+  }
 }
 
 void vtkAHDRankExecution::ReportOn(const ahd::BlockRim& rim)

@@ -55,6 +55,7 @@ private:
     const vtkAHDRankPoints& points, const ahd::BlockChains& chains, ahd::BlockTriangulation& block);
   void CheckGhosts(std::size_t cells);
   void TakeGhosts(vtkAHDRankSurface& surface, std::size_t firstCell);
+  void LookForInput(const ahd::BlockChains& chains, const vtkAHDRankSurface& surface);
   void FindStacks(const vtkAHDRankPoints& points, const ahd::BlocksReport& counts, bool& areStacked,
     bool& areOnLine);
   std::size_t ShareOdds(

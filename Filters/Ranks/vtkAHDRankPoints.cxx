@@ -290,6 +290,17 @@ void vtkAHDRankPoints::JoinChains(ahd::BlockChains& chains)
     this->Facts.GetContent().Vertices, this->Ranks, this->Context.WithoutPhases()));
 }
 
+ahd::SourceBounds vtkAHDRankPoints::JoinSourceBounds() const
+{
+  ahd::SourceBounds joined;
+  for (const ahd::SourceBounds& own :
+    this->Ranks.Share(this->Context, [this] { return this->Prepared.sourceBounds(); }))
+  {
+    joined.merge(own);
+  }
+  return joined;
+}
+
 ahd::BlockInput vtkAHDRankPoints::GetBlock(const ahd::BlockChains& chains) const
 {
   ahd::BlockInput input;

@@ -44,6 +44,9 @@ public:
   /// The constraints of all ranks. Collective.
   void JoinChains(ahd::BlockChains& chains);
 
+  /// Those of the sources of all ranks. Collective.
+  ahd::SourceBounds JoinSourceBounds() const;
+
   /// Moves coordinates and ids of each point to its owner. Collective.
   void MoveToOwners();
 

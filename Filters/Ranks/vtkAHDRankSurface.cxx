@@ -235,6 +235,14 @@ void vtkAHDRankSurface::Select()
   this->Places = std::vector<ahd::Point>();
 }
 
+bool vtkAHDRankSurface::HasPointOfInput() const
+{
+  const auto inputs = static_cast<std::int64_t>(this->Facts.GetPoints()); // sources' ids are larger
+  const ahd::BlockTriangles& own = this->Stars.own;
+  return std::any_of(own.corners, own.corners + 3 * own.count,
+    [this, inputs](vtkTypeInt32 corner) { return this->Stars.point(corner).id < inputs; });
+}
+
 /// Makes room for so many.
 void vtkAHDRankSurface::Open(
   std::size_t count, Triangles& triangles, ahd::BlockTriangles& view) const

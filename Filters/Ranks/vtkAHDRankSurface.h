@@ -40,6 +40,9 @@ public:
   /// The number of these, without ghosts.
   std::size_t GetCellCount() const { return this->Stars.own.count; }
 
+  /// Is a point of any rank's input a corner of these? @pre Select(), not yet Write().
+  bool HasPointOfInput() const;
+
   /// The triangles removed by trimming. @pre Select().
   const ahd::BlockRim& GetRim() const { return this->Rim; }
 

@@ -374,6 +374,9 @@ AHD_API ahd_status ahd_choose_plane(ahd_job* job, int64_t* plane);
  *   bent_segments, first_bent_cell
  *                       segments through a vertex that is not exactly on them
  *   points_off_surface  of the source, outside the triangulation of the input
+ *   source_apart        0, 1: boxes around source_points and points do not meet in the plane
+ *   loops_miss_input    0, 1: no point is in what loops of source_points keep, nor at its border
+ *   lines_at_zero       lines and loops of source_points at z = 0, all points being above or below
  *   lines_unclosed      0, 1: with closed_lines, there are lines, and none is a loop
  *   is_projected        0, 1: the plane is not that of x, y
  *   steep_plane         0, 1: with AHD_PLANE_BEST_FIT, it is steeper than 80 degrees, and the

@@ -178,8 +178,18 @@ constexpr Row kRows[] = {
   { Topic::Triangulation, "strips", "source_strips !constrains_nothing",
     "{source_strips} {source_strips?triangle strip|triangle strips} of the source "
     "{source_strips?is|are} ignored: only lines and polygons constrain." },
+  { Topic::Triangulation, "source elsewhere", "source_apart",
+    "The source does not overlap the points. Source: {source_box}; points: {input_box}. Both must "
+    "have the same units, origin and order of x and y." },
+  { Topic::Triangulation, "points elsewhere", "loops_miss_input",
+    "None of the points lies inside {the_loops}, so the surface has points of the source only (see "
+    "{fill_rule}). Source: {source_box}; points: {input_box}." },
+  { Topic::Triangulation, "lines at zero", "lines_at_zero",
+    "{lines_at_zero} {lines_at_zero?line or polygon of the source lies|lines and polygons of the "
+    "source lie} at z = 0, but the points from {lowest_z} to {highest_z}. If that is a map "
+    "without heights, {take_heights}." },
   { Topic::Triangulation, "no closed line", "lines_unclosed", "{no_closed_line}" },
-  { Topic::Triangulation, "off the surface", "points_off_surface",
+  { Topic::Triangulation, "off the surface", "points_off_surface !source_apart",
     "{points_off_surface} of {source_points} {points_of_source} lie outside the surface of the "
     "input and keep their own z (see {source_heights})." },
   { Topic::Triangulation, "crossing", "segments_crossing",
@@ -304,6 +314,13 @@ constexpr Phrase kPhrases[] = {
       "Found{source_strips+ (strips are ignored)}: {source_content}.{may_be_line+ With "
       "SourceMode Coordinates and {points_as_line} its points are a line, in their order.}" } },
   { "points_as_line", { "\"points_as_line\"", "PointsAsLine", "points_as_line" } },
+  { "take_heights",
+    { "set \"source_heights\" to AHD_HEIGHTS_FROM_SURFACE; if some of its points have heights, to "
+      "AHD_HEIGHTS_MIXED with \"zero_is_missing\"",
+      "set SourceHeights to From Surface; if some of its points have heights, to Mixed with "
+      "ZeroIsMissing",
+      "set source_heights='surface'; if some of its points have heights, 'mixed' with "
+      "zero_is_missing=True" } },
   { "no_closed_line",
     { "None of the lines is closed, alone or joined to others, so none is a loop (see "
       "\"closed_lines\").{joined_where}",

@@ -290,6 +290,26 @@ Reason reasonOf(Status status, bool isRefused)
                                                     : reasons[std::size_t(status)];
 }
 
+namespace
+{
+
+/// Boxes in the plane, and the heights of the input.
+void addBounds(const SourceBounds& bounds, Facts& facts)
+{
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    for (const auto end : { &SpaceBox::low, &SpaceBox::high })
+    {
+      facts.add({ "source_box", (bounds.source.*end)[k] });
+      facts.add({ "input_box", (bounds.input.*end)[k] });
+    }
+  }
+  facts.add({ "lowest_z", bounds.input.low[2] });
+  facts.add({ "highest_z", bounds.input.high[2] });
+}
+
+} // namespace
+
 Facts factsOf(const RunReport& report, Facts known)
 {
   const std::size_t given = known.count();
@@ -310,6 +330,11 @@ Facts factsOf(const RunReport& report, Facts known)
   }
   known.addMissing({ "memory_limit", report.isLimited }, given);
   known.addMissing({ "trimmed_area", report.counts.trimmedArea }, given);
+  const SourceBounds& bounds = report.sourceBounds;
+  if (bounds.source.low[0] <= bounds.source.high[0])
+  {
+    addBounds(bounds, known);
+  }
   return known;
 }
 

@@ -79,6 +79,17 @@ constexpr ReportRow<std::uint64_t> kCountRows[] = {
   { "first_bent_cell", true, [](const RunReport& r) { return std::uint64_t(r.firstBentCell); } },
   { "points_off_surface", true,
     [](const RunReport& r) { return std::uint64_t(r.pointsOffSurface); } },
+  { "source_apart", true,
+    [](const RunReport& r) { return std::uint64_t(r.sourceBounds.areApart()); } },
+  { "loops_miss_input", true,
+    [](const RunReport& r)
+    {
+      const SourceBounds& bounds = r.sourceBounds;
+      const bool hasInput = bounds.input.low[0] <= bounds.input.high[0];
+      return std::uint64_t(r.loopsMissInput && hasInput && !bounds.areApart());
+    } },
+  { "lines_at_zero", true,
+    [](const RunReport& r) { return std::uint64_t(r.sourceBounds.chainsOffTerrain()); } },
   { "lines_unclosed", true, [](const RunReport& r) { return std::uint64_t(r.areLinesUnclosed); } },
   { "steep_plane", true, [](const RunReport& r) { return std::uint64_t(r.isSteep); } },
   { "is_projected", true, [](const RunReport& r) { return std::uint64_t(r.isProjected); } },

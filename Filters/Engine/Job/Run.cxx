@@ -288,12 +288,29 @@ Status Run::constrain(RunResult& made)
         return ahd::constrain(std::move(triangulation), made.points.constraints(),
           settings_.fillRule, context_, triangulation);
       });
+    status = status == Status::Ok ? lookForInput(made) : status;
   }
   if (status == Status::Ok && settings_.trimsRim(made.points.plane()))
   {
     status = trim(std::move(triangulation), context_, triangulation);
   }
   return end(status);
+}
+
+/// Do loops of a source with points and heights of its own keep any of the input? Where heights are
+/// the input's, they are of use without.
+Status Run::lookForInput(const RunResult& made)
+{
+  const ConstraintView constraints = made.points.constraints();
+  if (made.points.sourceCount() == 0 || settings_.heightsFromSurface ||
+    constraints.chains == constraints.lines || made.triangulation.report().triangles == 0)
+  {
+    return Status::Ok;
+  }
+  bool isKept = false;
+  const Status status = keepsAnyOf(made.triangulation, made.points.inputCount(), context_, isKept);
+  report_.loopsMissInput = !isKept;
+  return status;
 }
 
 Status Run::finish(const RunResult& made, const Context& context)
@@ -337,6 +354,7 @@ void Run::reportOn(const RunResult& made)
   report_.firstBentCell = points.firstBentCell();
   report_.unfitIds = points.unfitIds();
   report_.pointsOffSurface = points.outsideCount();
+  report_.sourceBounds = points.sourceBounds();
   report_.areLinesUnclosed = points.areLinesUnclosed();
   report_.isProjected = points.isProjected();
   report_.isSteep = points.plane().stance().isSteep;

@@ -132,6 +132,7 @@ private:
   Status triangulate(RunResult& made);
   Status makeVoronoi(const Lend& lend, RunResult& made);
   Status constrain(RunResult& made);
+  Status lookForInput(const RunResult& made);
   Status findSurface(RunResult& made);
   Status constrainEdges(const std::vector<std::size_t>& missing, RunResult& made);
   void reportOn(const RunResult& made);

@@ -51,9 +51,11 @@ struct RunReport : RunSizes
   UnfitIds unfitIds;
   OddPoints oddPoints;
   std::size_t pointsOffSurface = 0; ///< of a source to be laid on the surface of the input
-  bool areLinesUnclosed = false;    ///< all, though closed ones would be loops
-  bool isProjected = false;         ///< the plane is another than x, y
-  bool isSteep = false;             ///< it is fitted and steep: Stance::isSteep
+  SourceBounds sourceBounds;
+  bool areLinesUnclosed = false; ///< all, though closed ones would be loops
+  bool loopsMissInput = false;   ///< no point of the input is in what they keep, nor at its border
+  bool isProjected = false;      ///< the plane is another than x, y
+  bool isSteep = false;          ///< it is fitted and steep: Stance::isSteep
   /// In space, if tested: where there is no triangle in x, y.
   bool areOnOneLine = true;
   bool areStacked = false; ///< tested if most points are duplicates
@@ -74,12 +76,13 @@ struct RunReport : RunSizes
         threadsUsed, polygonFault, splits, countsWork, seconds, counts, constraints,
         delaunayTriangles, keptEstimate, triangles, lines, vertices, inputPoints, sourcePoints,
         addedPoints, mergedPoints, firstCrossing, bentConstraints, firstBentCell, unfitIds,
-        oddPoints, pointsOffSurface, areLinesUnclosed, isProjected, isSteep, areOnOneLine,
-        areStacked, foldedTriangles));
+        oddPoints, pointsOffSurface, sourceBounds, areLinesUnclosed, loopsMissInput, isProjected,
+        isSteep, areOnOneLine, areStacked, foldedTriangles));
   }
 };
 static_assert(listsAll<Report>() && listsAll<ConstraintReport>() && listsAll<UnfitIds>() &&
-    listsAll<OddPoints>() && listsAll<RunSizes>() && listsAllBehind<RunReport, RunSizes>(),
+    listsAll<OddPoints>() && listsAll<SpaceBox>() && listsAll<SourceBounds>() &&
+    listsAll<RunSizes>() && listsAllBehind<RunReport, RunSizes>(),
   "what fields() leaves out is not sent to other ranks");
 
 } // namespace ahd

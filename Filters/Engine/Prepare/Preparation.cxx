@@ -15,34 +15,12 @@ namespace ahd
 namespace
 {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Bounds of places in space; empty (low > high) without any.
-struct Box
-{
-  Vector3 low = { { kInfinity, kInfinity, kInfinity } };
-  Vector3 high = { { -kInfinity, -kInfinity, -kInfinity } };
-
-  void add(std::size_t k, double lowest, double highest)
-  {
-    low[k] = std::min(low[k], lowest);
-    high[k] = std::max(high[k], highest);
-  }
-  void merge(const Box& other)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      add(k, other.low[k], other.high[k]);
-    }
-  }
-};
-
 /// The bounds of the points that are not left out, of their z the finite ones. Returns false if the
 /// work is cancelled.
-bool findBox(const PointView& points, Ticker& ticker, Box& box)
+bool findBox(const PointView& points, Ticker& ticker, SpaceBox& box)
 {
   return gather(points.count, ticker, box,
-    [&points](Box& part, std::size_t begin, std::size_t end)
+    [&points](SpaceBox& part, std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
@@ -61,7 +39,7 @@ bool findBox(const PointView& points, Ticker& ticker, Box& box)
 }
 
 /// The length of the box's diagonal; the largest double if it is longer.
-double diagonalOf(const Box& box)
+double diagonalOf(const SpaceBox& box)
 {
   const double length = lengthOf(box.high[0] - box.low[0], box.high[1] - box.low[1]);
   return std::min(length, std::numeric_limits<double>::max());
@@ -98,6 +76,7 @@ Status Preparation::run()
   }
   Status status = open();
   status = status == Status::Ok ? project() : status;
+  status = status == Status::Ok ? findSourceBounds() : status;
   status = status == Status::Ok ? takeHeights() : status;
   status = status == Status::Ok ? merge() : status;
   status = status == Status::Ok ? addBounding() : status;
@@ -249,13 +228,30 @@ Status Preparation::project()
   return all ? Status::Ok : Status::Cancelled;
 }
 
+Status Preparation::findSourceBounds()
+{
+  if (out_.sourceCount_ == 0)
+  {
+    return Status::Ok;
+  }
+  PointView input = out_.points_, source = input;
+  input.count = out_.inputCount_;
+  source.count = out_.sourceCount_;
+  source.skip = nullptr;
+  source.doubles += 3 * out_.inputCount_;
+  Ticker ticker(&phases_, Phase::Merge, 0, context_.executor);
+  const bool all = findBox(input, ticker, out_.sourceBounds_.input) &&
+    findBox(source, ticker, out_.sourceBounds_.source);
+  return all ? Status::Ok : Status::Cancelled;
+}
+
 Status Preparation::merge()
 {
   if (request_.tolerance == 0.0)
   {
     return Status::Ok;
   }
-  Box box;
+  SpaceBox box;
   {
     Ticker ticker(&phases_, Phase::Merge, 0, context_.executor);
     if (!findBox(out_.points_, ticker, box))
@@ -280,7 +276,7 @@ Status Preparation::addBounding()
   {
     return Status::Ok;
   }
-  Box box;
+  SpaceBox box;
   Ticker ticker(&phases_, Phase::Merge, 0, context_.executor);
   if (request_.bounds)
   {

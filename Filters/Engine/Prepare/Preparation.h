@@ -79,8 +79,9 @@ public:
 
 private:
   // In this order; those that have nothing to do begin no phase.
-  Status open();            // the input's points, then the source's
-  Status project();         // moves all into the plane
+  Status open();    // the input's points, then the source's
+  Status project(); // moves all into the plane
+  Status findSourceBounds();
   Status takeHeights();     // of the source, from the surface of the input
   Status merge();           // leaves out those near others
   Status addBounding();     // the eight around all
@@ -100,6 +101,7 @@ private:
   bool followMerged(Ticker& ticker);
   bool readPoints(Ticker& ticker);
   bool closeLines(Ticker& ticker);
+  bool countFlatChains(Ticker& ticker);
   void addCrossings(const std::vector<CrossingPoint>& points);
   std::array<Index, 2> endsOf(std::size_t chain, std::size_t segment) const;
 

@@ -13,9 +13,11 @@
 #include "../Surface/Plane.h"
 #include "ClosedLines.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -150,6 +152,59 @@ struct UnfitIds
   auto fields() { return std::tie(count, firstId, firstCell); }
 };
 
+/// Bounds of places; empty (low > high) around none.
+struct SpaceBox
+{
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Vector3 low = { { kInfinity, kInfinity, kInfinity } };
+  Vector3 high = { { -kInfinity, -kInfinity, -kInfinity } };
+
+  void add(std::size_t k, double lowest, double highest)
+  {
+    low[k] = std::min(low[k], lowest);
+    high[k] = std::max(high[k], highest);
+  }
+  void merge(const SpaceBox& other)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      add(k, other.low[k], other.high[k]);
+    }
+  }
+  auto fields() { return std::tie(low, high); }
+};
+
+/// Where the points that a source adds lie, and those of the input, in the plane and above it; of z
+/// the finite ones.
+struct SourceBounds
+{
+  SpaceBox input, source; ///< empty without such a source
+  /// Lines and polygons of the source with their own heights that are 0 throughout.
+  std::size_t flatChains = 0;
+
+  /// Do they not overlap, nor touch, in the plane, though there are points of both?
+  bool areApart() const
+  {
+    const auto isBelow = [](const SpaceBox& a, const SpaceBox& b)
+    { return a.high[0] < b.low[0] || a.high[1] < b.low[1]; };
+    return input.low[0] <= input.high[0] && source.low[0] <= source.high[0] &&
+      (isBelow(input, source) || isBelow(source, input));
+  }
+  /// Chains at height 0, if the input has points, and all lie above that, or all below.
+  std::size_t chainsOffTerrain() const
+  {
+    const bool isOff = input.low[2] > 0.0 || input.high[2] < 0.0;
+    return isOff && input.low[2] <= input.high[2] ? flatChains : 0;
+  }
+  void merge(const SourceBounds& other)
+  {
+    input.merge(other.input);
+    source.merge(other.source);
+    flatChains += other.flatChains;
+  }
+  auto fields() { return std::tie(input, source, flatChains); }
+};
+
 /// Points and constraints, ready to be triangulated, each with its id in the output: the input's,
 /// then the source's, the eight bounding points, the crossings.
 ///
@@ -195,6 +250,7 @@ public:
   bool areLinesUnclosed() const { return areLinesUnclosed_; }
   /// The ends of a chain.
   LineEnds endsOf(std::size_t chain) const;
+  const SourceBounds& sourceBounds() const { return sourceBounds_; }
 
   /// One for each crossing that was added.
   const std::vector<CrossingOrigin>& crossings() const { return crossings_; }
@@ -233,15 +289,17 @@ private:
   std::int64_t firstCell_ = 0;
   UnfitIds unfit_;
   bool areLinesUnclosed_ = false;
+  SourceBounds sourceBounds_;
   std::vector<CrossingOrigin> crossings_;
   std::vector<std::array<std::int64_t, 2>> crossingCells_;
   std::size_t bentCount_ = 0;
   std::int64_t firstBentCell_ = 0;
 };
 
-/// Prepares the input: reads it, moves it into the plane, takes heights from the surface, merges
-/// near points, adds bounding points, reads the constraints and splits them, in this order. The
-/// phases are Phase::Merge and, from the constraints on, Phase::Split.
+/// Prepares the input: reads it, moves it into the plane, compares its places with those of the
+/// source, takes heights from the surface, merges near points, adds bounding points, reads the
+/// constraints and splits them, in this order. The phases are Phase::Merge and, from the
+/// constraints on, Phase::Split.
 ///
 /// @pre `out` is new
 /// @param out undefined unless the result is Ok

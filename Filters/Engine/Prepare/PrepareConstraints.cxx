@@ -36,7 +36,8 @@ Status Preparation::readConstraints()
   const bool all = ticker.ask() &&
     (arePoints ? readPoints(ticker)
                : readCells(request_.lines, ticker) && readCells(request_.polygons, ticker)) &&
-    followMerged(ticker) && (!request_.closedLinesAreLoops || closeLines(ticker));
+    countFlatChains(ticker) && followMerged(ticker) &&
+    (!request_.closedLinesAreLoops || closeLines(ticker));
   return all ? Status::Ok : Status::Cancelled;
 }
 
@@ -52,6 +53,34 @@ bool Preparation::readPoints(Ticker& ticker)
     }
   }
   out_.offsets_.push_back(idCount_);
+  return true;
+}
+
+/// Of the source's own heights. Most have a first point that is none at 0.
+bool Preparation::countFlatChains(Ticker& ticker)
+{
+  const bool areOwn = out_.sourceCount_ > 0 && !request_.idsAreOfInput &&
+    !request_.heightsFromSurface;
+  const auto isFlat = [this](std::int64_t id)
+  {
+    const auto i = static_cast<std::size_t>(id);
+    return id >= 0 && out_.points_.z(i) == 0.0 && isFinite(out_.points_[i]);
+  };
+  for (std::size_t chain = 0; areOwn && chain + 1 < out_.offsets_.size(); ++chain)
+  {
+    const std::int64_t end = out_.offsets_[chain + 1];
+    std::int64_t i = out_.offsets_[chain];
+    bool isLine = end - i > 1;
+    for (; isLine && i < end && ticker.step(); ++i)
+    {
+      isLine = isFlat(out_.ids_[static_cast<std::size_t>(i)]);
+    }
+    out_.sourceBounds_.flatChains += isLine ? 1 : 0;
+    if (!ticker.step())
+    {
+      return false;
+    }
+  }
   return true;
 }
 

@@ -330,6 +330,42 @@ static void test_source(void)
   ahd_job_free(job);
 }
 
+/* A source of points alone as a line; lines that meet; what is counted of sources that may be
+ * wrong. */
+static void test_source_lines(void)
+{
+  static const double square[] = { 0, 0, 5, 8, 0, 6, 8, 8, 7, 0, 8, 6 };
+  static const double shore[] = { 2, 2, 0, 6, 2, 0, 4, 6, 0, 2, 2, 0 };
+  static const double far[] = { 20, 2, 5, 60, 2, 5, 40, 6, 5, 20, 2, 5 };
+  static const int64_t pieces[] = { 0, 1, 2, 1, 3, 2 };
+  ahd_job* job = ahd_job_of(square, 4, 3);
+  ahd_array points = { shore, AHD_FLOAT64, 3, 4, 24, 8 }, ids = ahd_ids(pieces, 3, 2);
+  CHECK_OK(job, ahd_set_array(job, "source_points", &points));
+  CHECK_OK(job, ahd_set_int(job, "cell_ids", AHD_IDS_OF_SOURCE));
+  CHECK_OK(job, ahd_run(job));
+  CHECK(ahd_counted(job, "segments") == 0 && ahd_counted(job, "lines_at_zero") == 0);
+  CHECK_OK(job, ahd_set_int(job, "points_as_line", 1));
+  CHECK_OK(job, ahd_run(job));
+  CHECK(ahd_counted(job, "segments") == 3 && ahd_counted(job, "constraint_edges") == 3);
+  CHECK(ahd_counted(job, "lines_at_zero") == 1 && ahd_counted(job, "source_apart") == 0);
+  CHECK_OK(job, ahd_set_int(job, "closed_lines", 1));
+  CHECK_OK(job, ahd_run(job));
+  ARE(job, "triangles", 4, 5, 6);
+  CHECK(ahd_counted(job, "loops_miss_input") == 1 && ahd_counted(job, "lines_unclosed") == 0);
+  CHECK_OK(job, ahd_set_array(job, "line_ids", &ids));
+  CHECK_OK(job, ahd_set_int(job, "fill_rule", AHD_FILL_EVEN_ODD)); /* they run both ways */
+  CHECK_OK(job, ahd_run(job));
+  CHECK(ahd_counted(job, "triangles") == 1 && ahd_counted(job, "lines_at_zero") == 3);
+  ids.rows = 2;
+  points.data = far;
+  CHECK_OK(job, ahd_set_array(job, "line_ids", &ids));
+  CHECK_OK(job, ahd_set_array(job, "source_points", &points));
+  CHECK_OK(job, ahd_run(job));
+  CHECK(ahd_counted(job, "lines_unclosed") == 1 && ahd_counted(job, "source_apart") == 1);
+  CHECK(ahd_counted(job, "loops_miss_input") == 0 && ahd_counted(job, "lines_at_zero") == 0);
+  ahd_job_free(job);
+}
+
 /* The cells that limits on size leave. */
 static void test_sizes(void)
 {
@@ -557,6 +593,7 @@ void test_results(void)
   test_points();
   test_constraints();
   test_source();
+  test_source_lines();
   test_sizes();
   test_planes();
   test_rims();

@@ -69,7 +69,7 @@ vtkSmartPointer<vtkPolyData> makeSquareWith(
 void addPoints(WatchedFilter& filter)
 {
   filter->SetSourceData(
-    makeSource({ { 0, 1 }, { 2, 3 } }, {}, { { 0, 2, 0 }, { 4, 2, 0 }, { 2, 0, 0 }, { 2, 4, 0 } }));
+    makeSource({ { 0, 1 }, { 2, 3 } }, {}, { { 0, 2, 1 }, { 4, 2, 1 }, { 2, 0, 1 }, { 2, 4, 1 } }));
   filter->SetSourceModeToCoordinates();
   filter->SetCrossingModeToSplit();
 }
@@ -134,7 +134,7 @@ TEST(BadDataArrays, OfAnyLengthHaveAValueForEachPointWherePointsAreAdded)
 
 TEST(BadDataArrays, OfTheSourceThatAreTooShortLeaveTheRestWithout)
 {
-  auto source = makeSource({ { 0, 1 } }, {}, { { 1, 1, 0 }, { 2, 1, 0 }, { 3, 1, 0 } });
+  auto source = makeSource({ { 0, 1 } }, {}, { { 1, 1, 1 }, { 2, 1, 1 }, { 3, 1, 1 } });
   source->GetPointData()->AddArray(makeArray<vtkIntArray>("numbers", 1));
   source->GetPointData()->AddArray(makeArray<vtkDoubleArray>("texts", 3)); // of another kind
   source->GetPointData()->AddArray(makeArray<vtkStringArray>("bits", 3));

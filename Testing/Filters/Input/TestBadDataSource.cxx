@@ -28,7 +28,7 @@ TEST(BadDataSource, IdsBeyondAllBoundsAreSaid)
     {
       SCOPED_TRACE("mode " + std::to_string(mode) + ", id " + std::to_string(bad));
       ConstrainedFilter filter(
-        { { 9, 9, 9 } }, makeSource({ { 0, 2 }, { 0, bad } }, { { 0, 1, 2, 3 } }, kSquare));
+        { kSquare[0] }, makeSource({ { 0, 2 }, { 0, bad } }, { { 0, 1, 2, 3 } }, kSquare));
       if (mode == 0)
       {
         filter->SetInputData(makeCloud(kSquare));

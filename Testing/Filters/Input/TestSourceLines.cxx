@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Sources as users have them: outlines in pieces or twice, a table of points along a shore. What is
-// wrong with them is told once.
+// Sources as users have them: outlines in pieces or twice, a table of points along a shore, a
+// source in another place or without heights. What is wrong with them is told once.
 #include "ConstraintTestSupport.h"
 
 #include <gtest/gtest.h>
@@ -18,6 +18,17 @@ std::vector<Xyz> squareOf(double at, double side, double z = 0.0)
 {
   const double to = at + side;
   return { { at, at, z }, { to, at, z }, { to, to, z }, { at, to, z } };
+}
+
+/// 10 x 10 points at this height.
+std::vector<Xyz> terrain(double z)
+{
+  std::vector<Xyz> points = squareLattice(10);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    points[i][2] = z + (i % 3 == 0 ? 1.0 : 0.0);
+  }
+  return points;
 }
 
 struct LinesFilter : WatchedFilter
@@ -121,4 +132,41 @@ TEST(SourceLines, PointsAreALineOnRequest)
   EXPECT_EQ(filter.Area(), 16.0);
   table->SetLines(makeCells({ { 0, 1 } }));
   EXPECT_EQ(filter.Area(), 81.0) << "it has lines of its own";
+}
+
+TEST(SourceLines, ElsewhereAreToldWithBothBounds)
+{
+  LinesFilter far(terrain(5), makeSource({}, { { 0, 1, 2, 3 } }, squareOf(100, 8, 5)));
+  expectParts(
+    far.Warned(), { "does not overlap", "x 100 to 108, y 100 to 108", "x 0 to 9, y 0 to 9" });
+  far->SetSourceHeightsToFromSurface();
+  expectParts(far.Warned(), { "does not overlap" });
+  // a line is elsewhere, too
+  LinesFilter line(terrain(5), makeSource({ { 0, 1 } }, {}, squareOf(100, 8, 5)));
+  expectParts(line.Warned(), { "does not overlap" });
+  // around no point, though the boxes overlap
+  LinesFilter gap(terrain(5), makeSource({}, { { 0, 1, 2, 3 } }, squareOf(0.25, 0.5, 5)));
+  expectParts(
+    gap.Warned(), { "None of the points lies inside", "x 0.25 to 0.75", "x 0 to 9, y 0 to 9" });
+  LinesFilter corner(terrain(5), makeSource({}, { { 0, 1, 2, 3 } }, squareOf(0.5, 0.5, 5)));
+  EXPECT_EQ(corner.Warned(), "") << "one is its corner";
+  corner->SetDuplicatePolicy(2);
+  EXPECT_EQ(corner.Warned(), "") << "whichever stands for the place";
+  // nothing to be elsewhere from
+  LinesFilter alone({}, makeSource({}, { { 0, 1, 2, 3 } }, squareOf(100, 8, 5)));
+  EXPECT_EQ(alone.Warned(), "");
+}
+
+TEST(SourceLines, WithoutHeightsAreTold)
+{
+  const std::vector<Xyz> road = squareOf(1.5, 4);
+  LinesFilter filter(terrain(5), makeSource({ { 0, 1 }, { 1, 2 } }, { { 0, 1, 2, 3 } }, road));
+  expectParts(filter.Warned(),
+    { "3 lines and polygons", "z = 0", "from 5 to 6", "SourceHeights", "ZeroIsMissing" });
+  filter->SetSourceHeightsToFromSurface();
+  EXPECT_EQ(filter.Warned(), "");
+  LinesFilter low(terrain(-5.5), makeSource({ { 0, 1 } }, {}, road));
+  expectParts(low.Warned(), { "1 line or polygon", "from -5.5 to -4.5" });
+  LinesFilter sea(terrain(-0.5), makeSource({ { 0, 1 } }, {}, road));
+  EXPECT_EQ(sea.Warned(), "") << "0 is a height of the terrain";
 }

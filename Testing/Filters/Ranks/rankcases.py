@@ -199,6 +199,14 @@ def with_outline_in_pieces(made, missing=0):
     return made
 
 
+def with_sources_moved(made, x=0.0, z=0.0, size=1.0):
+    """Those of with_own_points, elsewhere or of another size."""
+    for piece in with_own_points(made):
+        points, lines, polygons = piece.source
+        piece.source = ([(a * size + x, b * size, c + z) for a, b, c in points], lines, polygons)
+    return made
+
+
 def with_marks(made):
     for piece in made[1:]:
         piece.marks = [(0, 1, 2, 0, 32)[i % 5] for i in range(len(piece.points))]
@@ -283,6 +291,10 @@ def plain_cases(ranks):
         "source on an empty rank": (with_own_points(uneven(uniform(300), ranks)), COORDINATES),
         "outline in pieces": (with_outline_in_pieces(pieces(uniform(800), ranks)), dict(COORDINATES, ClosedLines=1)),
         "none is closed": (with_outline_in_pieces(pieces(uniform(800), ranks), 1), dict(COORDINATES, ClosedLines=1)),
+        "sources elsewhere": (with_sources_moved(pieces(uniform(300), ranks), x=7.5), COORDINATES),
+        "outlines around no point": (with_sources_moved(pieces(uniform(300), ranks), size=1e-4), COORDINATES),
+        "sources without heights": (
+            with_sources_moved(pieces([(x, y, z + 9) for x, y, z in uniform(300)], ranks), z=-0.25), COORDINATES),
         "one source": (with_one_source(pieces(uniform(800), ranks)), COORDINATES),
         "short edges": (with_sources(pieces(uniform(900), ranks), 4), dict(EVERYTHING, MaximumEdgeLength=0.09)),
         "no edge is short": (pieces(uniform(90), ranks), dict(EVERYTHING, MaximumEdgeLength=1e-9)),

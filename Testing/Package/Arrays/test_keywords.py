@@ -133,6 +133,28 @@ class ConstraintTest(KeywordTest):
         made = delaunay(lattice(9), source_points=shore, points_as_line=True, loops=[[1, 2, 3]])
         self.assertEqual(area(made), 8)
 
+    def test_a_source_elsewhere(self):
+        points = lattice(9)
+        for name in ("segments", "lines", "loops"):
+            with self.assertWarnsRegex(DelaunayWarning, "does not overlap.*x 20 to 22, y 1 to 3; points: x 0 to 8, y"):
+                made = delaunay(points, source_points=[(20, 1), (22, 1), (20, 3)], **{name: [(0, 1), (1, 2), (2, 0)]})
+            self.assertEqual(made.counts["source_apart"], 1)
+        with self.assertWarnsRegex(DelaunayWarning, "None of the points lies inside the loops"):
+            delaunay(points, source_points=[(1.2, 1.2), (1.8, 1.2), (1.5, 1.8)], loops=[0, 1, 2])
+        inside = np.array([(1.2, 1.2), (1.8, 1.2), (1.5, 1.8)])
+        made = delaunay(points, source_points=inside, loops=[0, 1, 2], source_heights="surface")
+        self.assertEqual(made.counts["loops_miss_input"], 0, "it has the heights of the points")
+
+    def test_a_source_without_heights(self):
+        points = np.c_[lattice(9), np.full(81, 7.5)]
+        road = np.array([(0.5, 0.5), (7.5, 6.5)])
+        with self.assertWarnsRegex(DelaunayWarning, "1 line or polygon .* z = 0, .* from 7.5 to 7.5.*zero_is_missing"):
+            made = delaunay(points, source_points=road, lines=[0, 1])
+        self.assertEqual(made.counts["lines_at_zero"], 1)
+        for given, heights in ((points, "surface"), (points - (0, 0, 7.5), "own"), (points[:, :2], "own")):
+            self.assertEqual(
+                delaunay(given, source_points=road, lines=[0, 1], source_heights=heights).counts["lines_at_zero"], 0)
+
     def test_crossings_left_out(self):
         with self.assertWarnsRegex(DelaunayWarning, "1 of 2 segments were left out.*chain 1 and crosses chain 0"):
             made = delaunay(SQUARE, segments=[(0, 2), (1, 3)], crossings="leave_out")
@@ -165,7 +187,8 @@ class ConstraintTest(KeywordTest):
     def test_source_points(self):
         points = np.array([[0, 0, 0], [8, 0, 8], [8, 8, 8], [0, 8, 0]], np.float32)
         places = np.array([[2, 1, 50], [6, 1, 50], [4, 7, 50]], float)
-        made = delaunay(points, source_points=places, loops=[0, 1, 2])
+        with self.assertWarnsRegex(DelaunayWarning, "None of the points lies inside the loops"):
+            made = delaunay(points, source_points=places, loops=[0, 1, 2])
         np.testing.assert_array_equal(made.points, np.concatenate((points, places)))
         self.assertEqual(made.triangles.tolist(), [[4, 5, 6]])
         self.assertEqual(made.counts["added_points"], 3)

@@ -27,6 +27,7 @@ SAMPLED = {"sampled_places": 30, "sampled_valued": 20, "triangles": 50}
 MISSING = {"missing": [("", 2), ("Flow", 1), ("Class", 0)], "of_points": [1, 0, 1], "of_added": [0, 1, 1]}
 USUAL = {"points": 40, "inserted": 30, "delaunay_triangles": 50, "kept_triangles": 50, "cells": 50, "source_points": 9,
          "segments": 12}  # fmt: skip
+BOXES = {"source_box": [0.5, 1.0, 2.0, 3e9], "input_box": [-7.25, -7.0, 0.0, 1.0]}
 NONE = {"delaunay_triangles": 0, "kept_triangles": 0, "cells": 0}
 # Facts of a run of any door, by name: counts, the trimmed area, are crossings split?
 CASES = {
@@ -52,6 +53,10 @@ CASES = {
     "trimmed all": ({"trimmed_triangles": 50, "kept_triangles": 0, "cells": 0, "bare_vertices": 30}, 1.5, False),
     "bare": ({"trimmed_triangles": 8, "kept_triangles": 42, "bare_vertices": 1}, 0.0, False),
     "off the surface": ({"points_off_surface": 4}, 0.0, False),
+    "apart": ({"source_apart": 1, "points_off_surface": 9, **BOXES}, 0.0, False),
+    "loops around no point": ({"loops_miss_input": 1, **BOXES}, 0.0, False),
+    "a line without heights": ({"lines_at_zero": 1, "lowest_z": -2.5, "highest_z": -1}, 0.0, False),
+    "lines without heights": ({"lines_at_zero": 3, "lowest_z": 1e3, "highest_z": 1234.5}, 0.0, False),
     "open lines": ({"lines_unclosed": 1}, 0.0, False),
     "crossing": ({"segments_crossing": 2, "first_crossing_cell": 5, "first_crossed_cell": 1}, 0.0, False),
     "crossing pieces": ({"segments_crossing": 2, "unfilled_loops": 1}, 0.0, True),
@@ -192,18 +197,18 @@ class MessagesTest(unittest.TestCase):
     def test_settings_that_are_named_are_there(self):
         tables = json.loads((ROOT / "Testing/Support/settings.json").read_text(encoding="utf-8"))
         of_class = {name for table in ("delaunay", "interpolation") for name in tables[table]["settings"]}
-        others = {"NaN", "KiB", "zGradient"}
+        others = {"NaN", "KiB", "zGradient", "ZeroIsMissing"}
         for text in self.texts("class"):
             self.assertEqual(set(re.findall(r"\b(?!vtk)\w*[a-z][A-Z]\w*", text)) - of_class - others, set(), text)
             self.assertNotRegex(text, r"AHD_|\w=|`")
         of_c = {*engine.names(engine.INT_SETTINGS), *engine.names(engine.DOUBLE_SETTINGS),
-                *engine.names(engine.INPUT_ARRAYS)}  # fmt: skip
+                *engine.names(engine.INPUT_ARRAYS), "zero_is_missing"}  # fmt: skip
         for text in self.texts("C"):
             quoted = set(re.findall(r'(?<!is )(?<!both )"(\w+)"', text))
             self.assertEqual(quoted - of_c, set(), text)
         for text in self.texts("NumPy"):
             named = re.findall(r"`(\w+)`|(\w+)='|\b([a-z]+_[a-z_]+)", text)
-            known = {*DEFAULTS, "source_points", "plane", "best_fit", "convex_hull"}
+            known = {*DEFAULTS, "source_points", "plane", "best_fit", "convex_hull", "zero_is_missing"}
             self.assertEqual({name for row in named for name in row if name} - known, set(), text)
 
     def test_each_is_a_warning(self):

@@ -40,3 +40,21 @@ def points_as_line():
 def strips_as_no_line():
     given = source([(1, 1, 0), (6, 1, 0), (1, 6, 0), (1, 1, 4)], strips=[(0, 1, 2)])
     return cloud(square((2, 2, 0))), dict(SourceData=given, SourceMode=1, PointsAsLine=True)
+
+
+@case
+def a_source_elsewhere():
+    given = source([(101, 1, 0), (106, 1, 0), (101, 6, 0)], polygons=[(0, 1, 2)])
+    return cloud(square((2, 2, 0))), dict(SourceData=given, SourceMode=1, FillRule=1)
+
+
+@case
+def an_outline_around_no_point():
+    given = source([(1, 1, 0), (2, 1, 0), (1, 2, 0)], polygons=[(0, 1, 2)])
+    return cloud(square((5, 5, 0))), dict(SourceData=given, SourceMode=1, FillRule=1)
+
+
+@case
+def lines_without_heights():
+    given = source([(1, 1, 0), (6, 1, 0), (1, 6, 0.5)], lines=[(0, 1), (1, 2)], polygons=[(0, 1, 2)])
+    return cloud([(x, y, 1.5) for x, y, _ in square((2, 2, 0))]), dict(SourceData=given, SourceMode=1, FillRule=1)

@@ -129,6 +129,15 @@ class DelaunayTest(unittest.TestCase):
         made = points.adaptive.delaunay_2d(constraints=shore, points_as_line=True, closed_lines="lines")
         self.assertAlmostEqual(area(made), 64)
 
+    def test_constraints_elsewhere(self):
+        with self.warns("does not overlap.*x 2000 to 2010, y 0 to 10; points: x "):
+            mesh_of(scattered(300)).adaptive.delaunay_2d(constraints=mesh_of(box(2000, 0, 10), faces=[4, 0, 1, 2, 3]))
+
+    def test_constraints_without_heights(self):
+        with self.warns("1 line or polygon of the source lies at z = 0.*SourceHeights.*ZeroIsMissing"):
+            mesh_of(scattered(300) + (0, 0, 7)).adaptive.delaunay_2d(
+                constraints=mesh_of(box(300, 300, 10), lines=[2, 0, 1]))
+
     def test_orientation(self):
         mesh = mesh_of(box(0, 0, 10) + box(2, 2, 3)[::-1], faces=[4, 0, 1, 2, 3, 4, 4, 5, 6, 7])
         made = mesh.adaptive.delaunay_2d(edge_source=mesh, fill_rule="orientation")
