@@ -7,6 +7,7 @@
 #include "Pipeline/vtkAHDArray.h"
 #include "Pipeline/vtkAHDProgress.h"
 #include "Pipeline/vtkAHDSay.h"
+#include "Pipeline/vtkAHDSetters.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -44,6 +45,7 @@ struct Arrays
   Number* Xyz;       // three for each point
   vtkTypeInt32* Ids; // of the vertex cell
   vtkIdType Count;   // of points
+  double Scale, HillHeight;
 };
 
 /// Makes all points; false on an abort.
@@ -62,9 +64,10 @@ bool Fill(const Arrays<Number>& to, ahd::PlanarPoints& points, vtkAlgorithm* sou
     for (vtkIdType i = begin; i < end; ++i)
     {
       const ahd::Place p = points.next();
-      to.Xyz[3 * i] = static_cast<Number>(p.x);
-      to.Xyz[3 * i + 1] = static_cast<Number>(p.y);
-      to.Xyz[3 * i + 2] = Number(0);
+      const double z = to.HillHeight > 0.0 ? to.HillHeight * points.hillAt(p) : 0.0;
+      to.Xyz[3 * i] = static_cast<Number>(to.Scale * p.x);
+      to.Xyz[3 * i + 1] = static_cast<Number>(to.Scale * p.y);
+      to.Xyz[3 * i + 2] = static_cast<Number>(to.Scale * z);
       to.Ids[i] = static_cast<vtkTypeInt32>(i);
     }
   }
@@ -86,6 +89,16 @@ vtkSmartPointer<vtkCellArray> PolyVertex(vtkTypeInt32Array* ids)
 vtkPlanarPointSource::vtkPlanarPointSource()
 {
   this->SetNumberOfInputPorts(0);
+}
+
+void vtkPlanarPointSource::SetHillHeight(double height)
+{
+  vtkAHDSetClamped(this, this->HillHeight, height, 0.0, 1000.0);
+}
+
+void vtkPlanarPointSource::SetScale(double scale)
+{
+  vtkAHDSetClamped(this, this->Scale, scale, 1e-9, 1e9);
 }
 
 int vtkPlanarPointSource::RequestData(
@@ -149,7 +162,7 @@ bool vtkPlanarPointSource::MakePoints(vtkPolyData* output)
   ahd::PlanarPoints made(static_cast<ahd::PlanarDistribution>(this->Distribution),
     static_cast<std::size_t>(count), static_cast<std::uint64_t>(this->Seed));
   const Arrays<typename Array::ValueType> arrays{ coordinates->GetPointer(0), ids->GetPointer(0),
-    count };
+    count, this->Scale, this->HillHeight };
   if (!Fill(arrays, made, this))
   {
     return false;
@@ -171,5 +184,7 @@ void vtkPlanarPointSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Distribution: " << this->Distribution << "\n";
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "HillHeight: " << this->HillHeight << "\n";
+  os << indent << "Scale: " << this->Scale << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }

@@ -3,12 +3,12 @@
  * @class   vtkPlanarPointSource
  * @brief   make the point sets used to compare triangulations
  *
- * Points of the plane z = 0 and one VTK_POLY_VERTEX cell with all of them: the distributions of Su
+ * Points of the plane z = 0, or on hills, and one VTK_POLY_VERTEX cell with all: those of Su
  * et al., Computers & Graphics 54 (2016) 65-74, figure 10, and a lattice. Formulas:
  * Plugin/Documentation/Reference.md.
  *
- * <b>Features.</b> The points depend on Distribution, NumberOfPoints and Seed alone, to the last
- * bit, on every machine with doubles of IEEE 754.
+ * <b>Features.</b> The points depend on the settings alone, to the last bit, on every machine with
+ * doubles of IEEE 754; x and y not on HillHeight.
  *
  * <b>Caveats.</b> 28 bytes per point (16 in single precision); too little memory is one error and
  * an empty output. On several ranks, the first rank has all points.
@@ -74,6 +74,15 @@ public:
   ///@}
 
   ///@{
+  /// The height of hills, z, as a part of the width of the set, from 0 (the default: none) to 1000;
+  /// and the factor of all coordinates, from 1e-9 to 1e9, default 1. NaN changes nothing.
+  void SetHillHeight(double height);
+  vtkGetMacro(HillHeight, double);
+  void SetScale(double scale);
+  vtkGetMacro(Scale, double);
+  ///@}
+
+  ///@{
   /// vtkAlgorithm::DOUBLE_PRECISION, the default (DEFAULT_PRECISION is the same), or
   /// SINGLE_PRECISION: rounded to float, so that a few of 10^7 random points coincide.
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
@@ -89,6 +98,8 @@ protected:
   int Distribution = UNIFORM;
   vtkIdType NumberOfPoints = 10000;
   int Seed = 1;
+  double HillHeight = 0.0;
+  double Scale = 1.0;
   int OutputPointsPrecision = DOUBLE_PRECISION;
 
 private:

@@ -74,6 +74,14 @@ PlanarPoints::PlanarPoints(PlanarDistribution distribution, std::size_t count, s
 {
 }
 
+double PlanarPoints::hillAt(const Place& p) const
+{
+  const double width = distribution_ == PlanarDistribution::Lattice ? double(side_) : 1.0;
+  const double u = p.x / width, v = p.y / width;
+  const auto at = [](double turns) { return onUnitCircle(turns - std::floor(turns)); };
+  return width * (0.5 + 0.3 * (at(0.8 * u).y * at(0.65 * v).x) + 0.2 * at(1.3 * u - 0.9 * v).x);
+}
+
 Place PlanarPoints::next()
 {
   const std::size_t i = made_++;

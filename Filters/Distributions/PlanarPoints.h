@@ -43,6 +43,11 @@ public:
   /// The next point. @pre called at most `count` times.
   Place next();
 
+  /// The height of hills over a point of the set, from 0 to its width w (1; of the lattice its
+  /// side): w (1/2 + 3/10 sin(1.6 pi u) cos(1.3 pi v) + 1/5 cos(2.6 pi u - 1.8 pi v)), with u = x/w
+  /// and v = y/w.
+  double hillAt(const Place& p) const;
+
 private:
   PlanarDistribution distribution_;
   std::uint64_t seed_;

@@ -370,14 +370,9 @@ def _declare(works, group, tag, attributes, inside):
     inside = inside.replace(":/AdaptiveHilbertDelaunay/", os.path.join(HERE, "icons", ""))
     if group == "transforms":
         globals()[name] = _OfParaView(group, tag, attributes, inside)
-    elif works and group == "writers":
-        made = type(name, (_GeoTIFF,), {"__module__": __name__})
-        known = {key: value for key, value in attributes.items() if key != "class"}
-        smproperty.xml(inside)(made)
-        smproxy.source(type=tag, group=group, support_reload=False, **known)(made)
-        globals()[name] = made
-    elif works and (_data_are_elsewhere() or _has(vtk_class)):
+    elif works and (_data_are_elsewhere() or group == "writers" or _has(vtk_class)):
         base = _Raster if name == RASTER else _OneOutput if has_one else _Driver
+        base = _GeoTIFF if group == "writers" else base
         made = type(name, (base,), {"vtk_class": vtk_class, "__module__": __name__})
         known = {key: value for key, value in attributes.items() if key != "class"}
         smproperty.xml(inside)(made)

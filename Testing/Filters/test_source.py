@@ -2,6 +2,7 @@
 """The source of points in Python. Run by /usr/bin/python3, pvpython and pvbatch alike."""
 
 import hashlib
+import math
 import unittest
 
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT
@@ -46,6 +47,32 @@ class SourceTest(unittest.TestCase):
             whole.update(coordinates(run(name, NumberOfPoints=1000)))
         self.assertEqual(
             whole.hexdigest(), "7280f070c170562ab55db605a3c1a2acbcf3a9e46c8702081b3b4201113c53aa")
+
+    def test_hills_are_the_same_everywhere(self):
+        whole = hashlib.sha256()
+        for name in DISTRIBUTIONS:
+            whole.update(coordinates(run(name, NumberOfPoints=1000, HillHeight=0.1, Scale=1000.0)))
+        self.assertEqual(whole.hexdigest(), "8cef1ac786e3f7dc15521620918bc723ca5121e34e772100ceedc872952346b6")
+
+    def test_hills(self):
+        for name in DISTRIBUTIONS:
+            flat, made = run(name, NumberOfPoints=400), run(name, NumberOfPoints=400, HillHeight=0.3, Scale=10.0)
+            width = 20.0 if name == "Lattice" else 1.0
+            for i in range(400):
+                (x, y, z), place = flat.GetPoint(i), made.GetPoint(i)
+                u, v = x / width, y / width
+                hill = 0.5 + 0.3 * math.sin(1.6 * math.pi * u) * math.cos(1.3 * math.pi * v) + 0.2 * math.cos(
+                    2.6 * math.pi * u - 1.8 * math.pi * v)
+                self.assertEqual((z, *place[:2]), (0.0, 10.0 * x, 10.0 * y))
+                self.assertAlmostEqual(place[2], 3.0 * width * hill, 9)
+
+    def test_range_of_hills(self):
+        source = vtkPlanarPointSource()
+        self.assertEqual((source.GetHillHeight(), source.GetScale()), (0.0, 1.0))
+        for name, least, most in (("HillHeight", 0.0, 1000.0), ("Scale", 1e-9, 1e9)):
+            for given, kept in ((-1.0, least), (math.nan, least), (math.inf, most)):
+                getattr(source, "Set" + name)(given)
+                self.assertEqual(getattr(source, "Get" + name)(), kept, name)
 
     def test_one_cell_for_all_points(self):
         for name in DISTRIBUTIONS:

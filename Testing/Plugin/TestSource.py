@@ -9,7 +9,8 @@ from pluginsupport import *
 LoadPlugin(PLUGIN, remote=False, ns=globals())
 
 DISTRIBUTIONS = ["Uniform", "Line", "Cross", "Circle", "Spiral", "Mixed", "Lattice"]
-SETTINGS = {"Distribution": "Mixed", "NumberOfPoints": 1234, "Seed": -7, "OutputPointsPrecision": "Single"}
+SETTINGS = {"Distribution": "Mixed", "NumberOfPoints": 1234, "Seed": -7, "HillHeight": 0.25, "Scale": 10.0,
+            "OutputPointsPrecision": "Single"}  # fmt: skip
 
 
 def coordinates(source):
@@ -50,8 +51,9 @@ def test_properties():
         from adaptivehilbertdelaunay import vtkPlanarPointSource
 
         for name in SETTINGS:
-            shown = servermanager.vtkSMPropertyHelper(source.SMProxy, name).GetAsInt()
-            check_equal(shown, getattr(vtkPlanarPointSource(), "Get" + name)(), "default of " + name)
+            shown = servermanager.vtkSMPropertyHelper(source.SMProxy, name).GetAsDouble()
+            told = {"HillHeight": 0.1}.get(name, getattr(vtkPlanarPointSource(), "Get" + name)())
+            check_equal(shown, told, "default of " + name)
 
 
 def test_points_are_visible():
@@ -63,6 +65,18 @@ def test_points_are_visible():
     source.NumberOfPoints = 0
     source.UpdatePipeline()
     check_equal(source.GetDataInformation().GetNumberOfPoints(), 0, "points of none")
+
+
+def test_hills():
+    """There at once, so that a surface and a raster of them have heights; off, all is in the plane."""
+    source = PlanarPointSource(NumberOfPoints=500)
+    raster = AdaptiveHilbertInterpolation2D(Input=source)
+    raster.UpdatePipeline()
+    low, high = raster.PointData["Elevation"].GetRange(0)
+    check(0.0 <= low < 0.02 and 0.08 < high <= 0.1, "heights of the raster: %r to %r" % (low, high))
+    source.HillHeight = 0
+    source.UpdatePipeline()
+    check_equal(source.GetDataInformation().GetBounds()[4:], (0.0, 0.0), "z without hills")
 
 
 def test_distributions_differ_and_seeds_matter():

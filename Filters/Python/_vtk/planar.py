@@ -81,6 +81,16 @@ class PlanarPoints:
         self.side = side + 1 if side * side < count else side
         self.centers = numpy.array([place_of_set(self.seed, k) for k in range(CLUSTERS)])
 
+    def hills_at(self, x, y):
+        """Their height over points of the set; Filters/Distributions/PlanarPoints.h has the formula."""
+        width = float(self.side) if self.distribution == LATTICE else 1.0
+        u, v = x / width, y / width
+
+        def at(turns):
+            return on_unit_circle(turns - numpy.floor(turns))
+
+        return width * (0.5 + 0.3 * (at(0.8 * u)[1] * at(0.65 * v)[0]) + 0.2 * at(1.3 * u - 0.9 * v)[0])
+
     def next(self, count):
         """x and y of so many more."""
         first = self.made

@@ -16,9 +16,9 @@ PIECE = 1 << 14  # points made between two askings whether to abort
 
 ABOUT = """The point sets that triangulations are compared on.
 
-Points of the plane z = 0 and one VTK_POLY_VERTEX cell with all of them: the distributions of Su et al., Computers &
-Graphics 54 (2016) 65-74, figure 10, and a lattice. The points are a function of Distribution, NumberOfPoints and Seed,
-to the last bit; the same as those of the compiled class, which is faster.
+Points of the plane z = 0, or on hills, and one VTK_POLY_VERTEX cell with all of them: the distributions of Su et al.,
+Computers & Graphics 54 (2016) 65-74, figure 10, and a lattice. The points are a function of the settings, to the last
+bit; the same as those of the compiled class, which is faster.
 """
 
 
@@ -49,12 +49,14 @@ class _Making:
         vtk, progress = self._backend, Progress(self)
         data, xyz = new_array(vtk.vtkFloatArray if single else vtk.vtkDoubleArray, count, 3)
         maker = PlanarPoints(self._values["Distribution"], count, self._values["Seed"])
+        height, scale = self._values["HillHeight"], self._values["Scale"]
         for begin in range(0, count, PIECE):
             if progress(None, begin / count):
                 return False
             piece = xyz[begin:begin + PIECE]
-            piece[:, 0], piece[:, 1] = maker.next(len(piece))
-            piece[:, 2] = 0.0
+            x, y = maker.next(len(piece))
+            z = height * maker.hills_at(x, y) if height > 0 else 0.0
+            piece[:, 0], piece[:, 1], piece[:, 2] = scale * x, scale * y, scale * z
         points = vtk.vtkPoints()
         points.SetData(data)
         output.SetPoints(points)
@@ -69,7 +71,8 @@ class _Making:
 
     def PrintSelf(self):
         """The settings, as text."""
-        return "".join("  %s: %s\n" % (setting.name, self._values[setting.name]) for setting in settings.SOURCE)
+        return "".join(
+            "  %s: %s\n" % (setting.name, setting.text(self._values[setting.name])) for setting in settings.SOURCE)
 
 
 def make_class(backend):

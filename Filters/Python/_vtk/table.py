@@ -702,6 +702,14 @@ POINTS = (
     ("Seed", "int", 1,
      'The seed of the random numbers: any integer, each gives other points. Not used by Lattice. Default 1.',
      None, None, ()),
+    ("HillHeight", "double", 0.0,
+     'The height of the hills, z, as a part of the width of the set, which is 1, or the side of the Lattice. 0: '
+     'all points in the plane z = 0. From 0 to 1000. Default 0.1 in ParaView, 0 in VTK.',
+     0.0, 1000.0, ()),
+    ("Scale", "double", 1.0,
+     "The factor of all coordinates: 1000 makes hills of a kilometre's width. From 1e-09 to 1000000000. Default "
+     '1.',
+     1e-09, 1000000000.0, ()),
     ("OutputPointsPrecision", "int", 1,
      'The type of the coordinates. Single takes less memory, but rounds: of many millions of points a few then '
      'coincide. Default: Double.',
