@@ -134,6 +134,10 @@ int vtkAdaptiveHilbertInterpolation2D::FillInputPortInformation(int port, vtkInf
   // The first type decides: with it the filter is not run for each block.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkPolyData");
+  if (port == 0)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable"); // to say what to do with it
+  }
   if (port == 2)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -345,11 +349,11 @@ bool vtkAdaptiveHilbertInterpolation2D::Execute(
   }
   const vtkAHDMergedBlocks merged(
     this, settings, vtkDataObject::GetData(inputs[0]), vtkDataObject::GetData(inputs[2]), context);
+  merged.Warn();
   if (!merged.GetInput())
   {
     return false;
   }
-  merged.Warn();
   vtkAHDSampleInputs data;
   data.Points = merged.GetInput();
   data.Source = merged.GetSource();

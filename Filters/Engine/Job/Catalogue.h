@@ -95,8 +95,8 @@ constexpr Row kRows[] = {
     "An observer gave an array of the input other memory or another size while the filter worked. "
     "The output is empty. Change inputs before or after an update." },
   { Topic::Refusal, "cell size", "raster=cell_size",
-    "CellSize is {cell_width}, {cell_height}, but both numbers must be greater than 0 and finite. "
-    "Nothing was computed." },
+    "CellSize is {cell_width}, {cell_height}, but both numbers must be greater than 0 and finite, "
+    "or both 0. Nothing was computed." },
   { Topic::Refusal, "bounds", "raster=bounds",
     "Bounds are {bounds}, but they must be finite, the first of each two below the second. Nothing "
     "was computed." },
@@ -239,8 +239,11 @@ constexpr Row kRows[] = {
     "In {unfit_marks} {unfit_marks?block|blocks} the point data array vtkGhostType does not have "
     "one value for each of the points, or is not of type unsigned char, so none of these points "
     "was skipped." },
-  { Topic::Blocks, "no points", "without_points",
+  { Topic::Blocks, "no points", "without_points !without_points=vtkTable",
     "A {without_points} has no points of its own: nothing was triangulated for it." },
+  { Topic::Blocks, "table", "without_points=vtkTable",
+    "A table has no points: apply Table To Points (vtkTableToPolyData) to it first. Nothing was "
+    "triangulated for it." },
   { Topic::Blocks, "blocks of the source", "other_sources",
     "{other_sources} {other_sources?block of the source is not a vtkPolyData and was left out; it "
     "is a|blocks of the source are not vtkPolyData and were left out; the first is a} "

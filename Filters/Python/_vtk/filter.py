@@ -196,6 +196,7 @@ class _Ports:
             info.Set(self._backend.vtkAlgorithm.INPUT_IS_OPTIONAL(), 1)
         else:
             kinds = ("vtkCompositeDataSet", "vtkPointSet") if self._values["MergeBlocks"] else ("vtkPointSet",)
+            kinds += ("vtkTable",)  # to say what to do with it
         for kind in kinds:
             info.Append(required, kind)
         return 1

@@ -66,7 +66,7 @@ class _Triangulations:
 class _Ports:
     """Inputs and outputs; mixed into the class."""
 
-    KINDS = (("vtkCompositeDataSet", "vtkPointSet"), ("vtkDataSet", "vtkCompositeDataSet"),
+    KINDS = (("vtkCompositeDataSet", "vtkPointSet", "vtkTable"), ("vtkDataSet", "vtkCompositeDataSet"),
              ("vtkCompositeDataSet", "vtkPolyData"))
 
     def FillInputPortInformation(self, port, info):
@@ -289,9 +289,9 @@ class _Executions:
             return False
         triangulation, values, wishes = self._triangulation, self._surface_settings(), dict(self._values)
         merged = Merged(self._backend, speaker, values, points, source)
+        merged.warn()
         if merged.input is None:
             return False
-        merged.warn()
         surface = surface_of(merged)
         values.update(table.USED_UP if surface else {})
         asked = triangulation, values, wishes, surface

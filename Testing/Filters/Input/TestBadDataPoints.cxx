@@ -4,6 +4,8 @@
 // in one place, the largest numbers. Each has its documented message and result.
 #include "BadDataSupport.h"
 
+#include "vtkAdaptiveHilbertInterpolation2D.h"
+
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -11,6 +13,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPerspectiveTransform.h"
+#include "vtkTable.h"
 #include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -413,6 +416,33 @@ TEST(BadDataPoints, AnImageIsRefusedByThePipeline)
     EXPECT_NE(filter.PipelineSaid->Errors[0].find("vtkImageData"), std::string::npos);
     EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
   }
+}
+
+TEST(BadDataPoints, ATableIsOneMessageThatSaysWhatToDo)
+{
+  vtkNew<vtkTable> table;
+  const auto expectOne = [](Messages* said, Messages* ofPipeline)
+  {
+    EXPECT_TRUE(said->Errors.empty() && ofPipeline->Errors.empty());
+    ASSERT_EQ(said->Warnings.size(), 1u);
+    EXPECT_NE(said->Warnings[0].find("Table To Points"), std::string::npos) << said->Warnings[0];
+  };
+  for (bool merge : { false, true })
+  {
+    WatchedFilter filter;
+    filter->SetMergeBlocks(merge);
+    filter->SetInputDataObject(table);
+    filter->Update();
+    expectOne(filter.Said, filter.PipelineSaid);
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  }
+  vtkNew<vtkAdaptiveHilbertInterpolation2D> raster;
+  vtkNew<Messages> said, ofPipeline;
+  said->Watch(raster);
+  ofPipeline->Watch(raster->GetExecutive());
+  raster->SetInputDataObject(table);
+  raster->Update();
+  expectOne(said, ofPipeline);
 }
 
 TEST(BadDataPoints, WithCellsOfEveryKindAndGhostsAmongThemAreTriangulatedAsPoints)

@@ -157,6 +157,7 @@ def cases():
         yield engine.SAY_BLOCKS, "blocks %d" % count, {
             "other_blocks": count, "first_other": "vtkTable", "unfit_marks": count, "without_points": "vtkImageData",
             "other_sources": count, "first_other_source": "vtkImageData"}  # fmt: skip
+    yield engine.SAY_BLOCKS, "a table", {"without_points": "vtkTable"}
 
 
 class MessagesTest(unittest.TestCase):

@@ -62,6 +62,11 @@ def a_wall_in_its_plane():
 
 
 @case
+def a_table():
+    return model.vtkTable(), {}
+
+
+@case
 def a_volume():
     return cloud([(i % 4, i // 4 % 4, i // 16) for i in range(64)]), {}
 
