@@ -129,7 +129,7 @@ def delaunay(
         finite z; with the smallest id, moved to the mean of all with a finite z.
     voronoi_clip : {'hull', 'bounds'} or (n, 2) array, default 'hull'
         Clip the Voronoi cells at the convex hull of the points; at their bounding box in the plane; or at a convex
-        polygon of these corners there, of two at the box between them.
+        polygon of these corners there, of two at the box between them. A geometry may stand for the corners.
     insertion_order : {'adaptive_hilbert', 'multi_grid', 'regular_grid', 'as_given'}, default 'adaptive_hilbert'
         The order of insertion. This and the next three change the time, never the triangles.
     nmax : int, 1 or more, default 50

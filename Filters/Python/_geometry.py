@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Protocol, Sequence, Tuple
 
 import numpy as np
 
@@ -40,6 +40,24 @@ def constraints_of(given: Any, name: str = "constraints") -> Constraints:
     for begin, part in zip(reader.begins, reader.parts):
         points[begin : begin + len(part), : part.shape[1]] = part
     return Constraints(points, reader.lines, reader.loops)
+
+
+class HasGeometry(Protocol):
+    """What shapely's objects and others are for type checkers."""
+
+    @property
+    def __geo_interface__(self) -> Any: ...
+
+
+def ring_of(name: str, given: Any) -> Any:
+    """(k, 2): of a geometry that is a polygon without holes, its ring; anything else as it is. ValueError."""
+    if not (hasattr(given, "__geo_interface__") or isinstance(given, Mapping)):
+        return given
+    made = constraints_of(given, name)
+    if len(made.loops) != 1 or len(made.loops[0]) != len(made.points):
+        raise ValueError("%s must be one polygon without holes, but there are %d rings, %d lines and %d points in "
+                         "all" % (name, len(made.loops), len(made.lines), len(made.points)))  # fmt: skip
+    return made.points[:, :2]
 
 
 class _Reader:

@@ -10,6 +10,7 @@ from typing import Any, Callable, Dict, Literal, Mapping, Optional, Sequence, Tu
 import numpy as np
 
 from . import _library as library
+from ._geometry import HasGeometry, ring_of
 from ._held import anchor
 from ._keywords import KEYWORDS
 from ._names import value_of
@@ -19,7 +20,7 @@ Plane = Union[
     Literal["xy", "automatic", "best_fit"], np.ndarray, Sequence[Sequence[float]],
     Callable[[np.ndarray], Optional[np.ndarray]],
 ]  # fmt: skip
-Corners = Union[np.ndarray, Sequence[Sequence[float]]]  # of a polygon
+Corners = Union[np.ndarray, Sequence[Sequence[float]], HasGeometry, Mapping[str, Any]]  # of a polygon
 Chains = Tuple[np.ndarray, Optional[np.ndarray]]  # ids, and where each chain begins if they are one list
 Fingerprint = Dict[str, Tuple[int, int]]  # of each array that the caller can change
 
@@ -160,7 +161,7 @@ def skip_of(given: Any, count: int) -> np.ndarray:
 
 def polygon_of(name: str, given: Any) -> np.ndarray:
     """(n, 2) float64, a copy: corners at which Voronoi cells can be clipped. TypeError, ValueError."""
-    corners = np.array(real_numbers(name, given))
+    corners = np.array(real_numbers(name, ring_of(name, given)))
     if corners.ndim != 2 or corners.shape[1] != 2:
         raise ValueError(_refused(name, given, "%s or corners, of shape (n, 2); of a box two" % (
             ", ".join(map(repr, CHOICES["voronoi_clip"])))))  # fmt: skip

@@ -240,7 +240,7 @@ def voronoi_2d(
     return _taken(algorithm.GetOutput(2))
 
 
-def outline(mesh, groups, memory_limit, progress_bar):
+def outline(mesh: Any, groups: Any, memory_limit: Any, progress_bar: Any) -> pyvista.PolyData:
     if not isinstance(mesh, pyvista.PolyData):
         raise TypeError("an outline is that of a pyvista.PolyData, not of %s: extract_surface() makes one"
                         % type(mesh).__name__)

@@ -13,7 +13,7 @@ import numpy as np
 from . import _library as library
 from ._interface import SAY_PLACES, WORDS_OF_NUMPY, say
 from ._made import Made, frozen
-from ._raster import Raster, check_order, raster_over, real_numbers, unmasked, xy_of
+from ._raster import Raster, Samples, check_order, raster_over, real_numbers, unmasked, xy_of
 from ._warnings import tell as warn_of
 
 #: In the order of the header's numbers.
@@ -428,7 +428,7 @@ class Sampled(Made):
         gradient: bool,
         progress: Optional[ProgressFunction],
         mask: bool,
-    ) -> library.Samples:
+    ) -> Samples:
         """Requires: the lock."""
         job = self._for_places()
         job.refuse_if_busy()  # a running call keeps its callback

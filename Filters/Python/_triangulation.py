@@ -362,10 +362,11 @@ class Triangulation(Measured):
 
         Parameters
         ----------
-        clip : {'hull', 'bounds'} or (n, 2) array, optional
+        clip : {'hull', 'bounds'}, (n, 2) array or geometry, optional
             Clip the cells at the convex hull of the vertices; at their bounding box; or at the convex polygon that has
             these corners, in their order, of two corners at the box between them: coordinates in the plane of the
-            triangulation. Default: `voronoi_clip` of the triangulation, 'hull' if it was not given.
+            triangulation, or a geometry as for `constraints` of `delaunay`. Default: `voronoi_clip` of the
+            triangulation, 'hull' if it was not given.
 
         Returns
         -------

@@ -158,7 +158,7 @@ def voronoi_2d(
         As in `delaunay_2d`.
     clip : {'hull', 'bounds'} or (n, 2) array, default 'hull'
         Clip the Voronoi cells at the convex hull of the points; at their bounding box in the plane; or at a convex
-        polygon of these corners there, of two at the box between them.
+        polygon of these corners there, of two at the box between them. A geometry may stand for the corners.
 
     Returns
     -------

@@ -109,11 +109,21 @@ class GeometryTest(KeywordTest):
         self.check(over, 16 + 16 - 2 * 4, crossings="split")
         with self.assertWarnsRegex(DelaunayWarning, "1 loop bounds nothing"):
             self.check(over, 16)
-        self.check([polygon(box(1, 1, 4))] * 2, 16)
+        self.check([polygon(box(1, 1, 4))] * 2, 16)  # the same ring counts once
         bow = polygon([[1, 1], [5, 5], [5, 1], [1, 5], [1, 1]])
         self.check(bow, 8, crossings="split")
         with self.assertWarnsRegex(DelaunayWarning, "1 loop bounds nothing"):
             delaunay(POINTS, constraints=bow)
+
+
+    def test_as_a_clip_of_voronoi_cells(self):
+        square = [[1, 1], [9, 1], [9, 9], [1, 9]]
+        wanted = delaunay(POINTS).voronoi(square).points
+        for given in (polygon(box(1, 1, 8)), Shows(polygon(box(1, 1, 8)[::-1])), collection(polygon(square)),
+                      polygon([[x, y, 7] for x, y in square])):  # fmt: skip
+            self.assertEqual(set(map(tuple, delaunay(POINTS).voronoi(given).points)), set(map(tuple, wanted)))
+        made = delaunay(POINTS, voronoi_clip=polygon(square)).voronoi()
+        np.testing.assert_array_equal(made.points, wanted)
 
 
 class HeightsTest(KeywordTest):

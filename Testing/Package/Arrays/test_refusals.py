@@ -83,6 +83,7 @@ CALLS = {
     "clip of four numbers": lambda: MADE.voronoi([0, 0, 1, 1]),
     "clip of text": lambda: MADE.voronoi([["a", "b"]]),
     "clip that is not finite": lambda: MADE.voronoi([[0, 0], [np.inf, 1]]),
+    "clip of a line": lambda: MADE.voronoi({"type": "LineString", "coordinates": [[0, 0], [1, 1]]}),
     "clip without an area": lambda: MADE.voronoi([[0, 0], [0, 1]]),
     "voronoi_clip that is not convex": lambda: delaunay(SQUARE, voronoi_clip=[[0, 0], [1, 1], [1, 0], [0, 1]]),
     "voronoi_clip in space": lambda: delaunay(SQUARE, voronoi_clip=np.zeros((3, 3))),

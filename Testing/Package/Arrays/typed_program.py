@@ -37,6 +37,8 @@ def triangulated(points: np.ndarray) -> Triangulation:
 
 def looked_at(made: Triangulation) -> List[str]:
     diagram: Voronoi = made.voronoi("bounds")
+    diagram = made.voronoi([[0, 0], [1, 1]])
+    diagram = made.voronoi({"type": "Polygon", "coordinates": [[(0, 0), (1, 0), (0, 1)]]})
     boxes: Boxes = made.boxes
     where = made.locate([[0.5, 0.5]])
     edges: np.ndarray = made.edges

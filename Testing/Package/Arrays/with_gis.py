@@ -47,6 +47,16 @@ class GeometryTest(KeywordTest):
         for empty in (geometry.Polygon(), geometry.MultiPolygon(), geometry.Point(), geometry.GeometryCollection()):
             np.testing.assert_array_equal(delaunay(POINTS, constraints=empty).triangles, whole)
 
+    def test_as_a_clip_of_voronoi_cells(self):
+        from shapely import geometry
+
+        for shape in (geometry.box(1, 2, 8, 9), geometry.Point(5, 5).buffer(3)):
+            cells = delaunay(POINTS).voronoi(shape)
+            found = sum(geometry.Polygon(cell).area for cell in cells if len(cell))
+            self.assertAlmostEqual(found, shape.area, places=9)
+        with self.assertRaisesRegex(ValueError, "clip must be one polygon without holes, but there are 2 rings"):
+            delaunay(POINTS).voronoi(geometry.Point(5, 5).buffer(3).difference(geometry.Point(5, 5).buffer(1)))
+
     def test_a_union_is_kept_whole(self):
         """As the documentation advises for polygons that overlap."""
         from shapely import geometry, ops
