@@ -96,7 +96,7 @@ class LinearNDInterpolator(_OnDelaunay):
     def __call__(self, *args: Any) -> np.ndarray:
         """Values at places: ``f(x, y)``, ``f((x, y))`` or ``f(places)``."""
         places = self._places(args)
-        made: np.ndarray = self.triangulation.interpolate(self.values, places, outside=self.fill_value)
+        made: np.ndarray = self.triangulation._at(self.values, places, "linear", self.fill_value)
         return made.reshape(places.shape[:-1] + self.values_shape)
 
 

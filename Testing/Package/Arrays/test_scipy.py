@@ -307,6 +307,11 @@ class CalledTest(ScipyTest):
             found = griddata(points * wide + 5, points[:, 0], tuple((places * wide + 5).T), method, rescale=True)
             np.testing.assert_allclose(found, wanted, rtol=1e-6)
 
+    def test_places_outside_are_no_news(self):
+        """scipy has no warning, and such a one would be an error here."""
+        for method in ("linear", "cubic"):
+            self.assertTrue(np.isnan(griddata(cloud(1, 40), cloud(2, 40), [[7, 7], [8, 8]], method)).all())
+
     def test_pickled(self):
         for kind in (LinearNDInterpolator, CloughTocher2DInterpolator, NearestNDInterpolator):
             f = kind(cloud(1, 40), cloud(2, 40))
