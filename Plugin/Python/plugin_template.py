@@ -146,6 +146,8 @@ class _Driver(VTKPythonAlgorithmBase):
             return method
 
         def set_it(*values):
+            if name != "SetTransform":  # ParaView gives an empty text as None
+                values = ["" if value is None else value for value in values]
             before = worker.GetMTime()
             method(*values)
             if worker.GetMTime() != before:
