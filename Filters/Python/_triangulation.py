@@ -382,7 +382,7 @@ class Triangulation(Measured):
         >>> len(diagram), diagram.sites.tolist(), diagram[4].tolist()
         (5, [0, 1, 2, 3, 4], [[2.0, 4.0], [0.0, 2.0], [2.0, 0.0], [4.0, 2.0]])
         >>> delaunay([[1, 1], [3, 1]]).voronoi([[0, 0], [4, 2]])[1].tolist()
-        [[2.0, 0.0], [4.0, 0.0], [4.0, 2.0], [2.0, 2.0]]
+        [[2.0, 2.0], [2.0, 0.0], [4.0, 0.0], [4.0, 2.0]]
         """
         number = self._request.settings["voronoi_clip"]
         corners = None if clip is None or isinstance(clip, str) else polygon_of("clip", clip)
