@@ -16,6 +16,11 @@
 vtkAdaptiveHilbertAlgorithm::vtkAdaptiveHilbertAlgorithm() = default;
 vtkAdaptiveHilbertAlgorithm::~vtkAdaptiveHilbertAlgorithm() = default;
 
+void vtkAdaptiveHilbertAlgorithm::SetMaximumSegmentLength(double value)
+{
+  vtkAHDSetClamped(this, this->MaximumSegmentLength, value, 0.0, VTK_DOUBLE_MAX);
+}
+
 void vtkAdaptiveHilbertAlgorithm::SetMaximumEdgeLength(double value)
 {
   vtkAHDSetClamped(this, this->MaximumEdgeLength, value, 0.0, VTK_DOUBLE_MAX);
@@ -53,6 +58,7 @@ void vtkAdaptiveHilbertAlgorithm::ClearMeasures()
   this->NumberOfPointsBeyondLimit = 0;
   this->NumberOfConstraintEdges = 0;
   this->NumberOfCrossings = 0;
+  this->NumberOfAddedLinePoints = 0;
   this->NumberOfBentConstraints = 0;
   this->NumberOfConstraintsLeftOut = 0;
   this->NumberOfUnfilledLoops = 0;
@@ -91,6 +97,7 @@ void vtkAdaptiveHilbertAlgorithm::TakeMeasures(const ahd::RunReport& report)
   this->NumberOfPointsBeyondLimit = static_cast<vtkIdType>(count("beyond_limit"));
   this->NumberOfConstraintEdges = static_cast<vtkIdType>(count("constraint_edges"));
   this->NumberOfCrossings = static_cast<vtkIdType>(count("crossings"));
+  this->NumberOfAddedLinePoints = static_cast<vtkIdType>(count("points_added_to_lines"));
   this->NumberOfBentConstraints = static_cast<vtkIdType>(count("bent_segments"));
   this->NumberOfConstraintsLeftOut = static_cast<vtkIdType>(
     count("segments_without_vertex") + count("segments_crossing"));
@@ -118,6 +125,7 @@ void vtkAdaptiveHilbertAlgorithm::AddCounts(vtkFieldData* data) const
     { "NumberOfPointsBeyondLimit", this->NumberOfPointsBeyondLimit },
     { "NumberOfConstraintEdges", this->NumberOfConstraintEdges },
     { "NumberOfCrossings", this->NumberOfCrossings },
+    { "NumberOfAddedLinePoints", this->NumberOfAddedLinePoints },
     { "NumberOfBentConstraints", this->NumberOfBentConstraints },
     { "NumberOfConstraintsLeftOut", this->NumberOfConstraintsLeftOut },
     { "NumberOfUnfilledLoops", this->NumberOfUnfilledLoops },
@@ -132,6 +140,9 @@ void vtkAdaptiveHilbertAlgorithm::AddCounts(vtkFieldData* data) const
 void vtkAdaptiveHilbertAlgorithm::GetJobSettings(ahd::JobSettings& settings) const
 {
   settings.set(ahd::IntSetting::CellIds, this->SourceMode);
+  settings.set(ahd::IntSetting::ZeroIsMissing, this->ZeroIsMissing);
+  settings.set(ahd::IntSetting::LinesOnSurface, this->SourceLinesOnSurface);
+  settings.set(ahd::DoubleSetting::MaximumSegmentLength, this->MaximumSegmentLength);
   settings.set(ahd::IntSetting::ClosedLines, this->ClosedLines);
   settings.set(ahd::IntSetting::PointsAsLine, this->PointsAsLine);
   settings.set(ahd::IntSetting::FillRule, this->FillRule);
@@ -167,6 +178,9 @@ void vtkAdaptiveHilbertAlgorithm::GetSettingsOfRanks(vtkAHDSettingsOfRanks& sett
 {
   settings.Numbers = {
     { "SourceMode", double(this->SourceMode) },
+    { "ZeroIsMissing", double(this->ZeroIsMissing) },
+    { "SourceLinesOnSurface", double(this->SourceLinesOnSurface) },
+    { "MaximumSegmentLength", double(this->MaximumSegmentLength) },
     { "ClosedLines", double(this->ClosedLines) },
     { "PointsAsLine", double(this->PointsAsLine) },
     { "FillRule", double(this->FillRule) },
@@ -197,6 +211,7 @@ void vtkAdaptiveHilbertAlgorithm::GetSettingsOfRanks(vtkAHDSettingsOfRanks& sett
     { "BoundingTriangulation", double(this->BoundingTriangulation != 0) },
   };
   const std::pair<bool, const char*> onOneRank[] = {
+    { this->MaximumSegmentLength > 0, "MaximumSegmentLength" },
     { this->PointsAsLine, "PointsAsLine" },
     { this->Alpha > 0, "Alpha" },
     { this->Tolerance > 0, "Tolerance" },
@@ -231,6 +246,7 @@ std::string vtkAdaptiveHilbertAlgorithm::GetMeasures()
     { "points beyond the limit", double(this->NumberOfPointsBeyondLimit), 0, false },
     { "edges of the source", double(this->NumberOfConstraintEdges), 0, false },
     { "crossings in the source", double(this->NumberOfCrossings), 0, false },
+    { "points added to lines", double(this->NumberOfAddedLinePoints), 0, false },
     { "bent segments", double(this->NumberOfBentConstraints), 0, false },
     { "segments left out", double(this->NumberOfConstraintsLeftOut), 0, false },
     { "outlines that bound nothing", double(this->NumberOfUnfilledLoops), 0, false },
@@ -259,6 +275,9 @@ void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MergeBlocks: " << (this->MergeBlocks ? "On\n" : "Off\n");
   os << indent << "SourceMode: " << this->SourceMode << "\n";
   os << indent << "SourceHeights: " << this->SourceHeights << "\n";
+  os << indent << "ZeroIsMissing: " << (this->ZeroIsMissing ? "On\n" : "Off\n");
+  os << indent << "SourceLinesOnSurface: " << (this->SourceLinesOnSurface ? "On\n" : "Off\n");
+  os << indent << "MaximumSegmentLength: " << this->MaximumSegmentLength << "\n";
   os << indent << "ClosedLines: " << this->ClosedLines << "\n";
   os << indent << "PointsAsLine: " << (this->PointsAsLine ? "On\n" : "Off\n");
   os << indent << "FillRule: " << this->FillRule << "\n";
@@ -307,6 +326,7 @@ void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfPointsBeyondLimit: " << this->NumberOfPointsBeyondLimit << "\n";
   os << indent << "NumberOfConstraintEdges: " << this->NumberOfConstraintEdges << "\n";
   os << indent << "NumberOfCrossings: " << this->NumberOfCrossings << "\n";
+  os << indent << "NumberOfAddedLinePoints: " << this->NumberOfAddedLinePoints << "\n";
   os << indent << "NumberOfBentConstraints: " << this->NumberOfBentConstraints << "\n";
   os << indent << "NumberOfConstraintsLeftOut: " << this->NumberOfConstraintsLeftOut << "\n";
   os << indent << "NumberOfUnfilledLoops: " << this->NumberOfUnfilledLoops << "\n";

@@ -68,7 +68,9 @@ public:
     /// points of the source keep their own z and data
     OWN = 0,
     /// they take z and data from the surface of the input
-    FROM_SURFACE = 1
+    FROM_SURFACE = 1,
+    /// those without z take both from the surface of the input and the lines with z
+    MIXED = 2
   };
 
   /// The values of ClosedLines.
@@ -183,12 +185,46 @@ public:
   /// The heights of the source's points. Own: their own z. Two-dimensional lines, as in most maps,
   /// lie at z = 0 and pull the surface down to it. From Surface: height and point data are
   /// interpolated linearly on the surface of the input; points outside it keep their own z, and a
-  /// warning counts them. Not used with Source Mode Point ids. Default: OWN.
-  /// From Surface triangulates twice: first the input alone, then with the source.
-  vtkSetClampMacro(SourceHeights, int, OWN, FROM_SURFACE);
+  /// warning counts them. Mixed: points with a z keep it; those without (NaN, see Zero Is Missing)
+  /// take theirs from the surface of the input and of the lines between points with z. Not used
+  /// with Source Mode Point ids. Default: OWN.
+  /// From Surface and Mixed triangulate twice: first without the points that take their heights
+  /// from there, then all.
+  vtkSetClampMacro(SourceHeights, int, OWN, MIXED);
   vtkGetMacro(SourceHeights, int);
   void SetSourceHeightsToOwn() { this->SetSourceHeights(OWN); }
   void SetSourceHeightsToFromSurface() { this->SetSourceHeights(FROM_SURFACE); }
+  void SetSourceHeightsToMixed() { this->SetSourceHeights(MIXED); }
+  ///@}
+
+  ///@{
+  /// With Source Heights Mixed, points of the source with z = 0 have no height, too. For files and
+  /// readers that give 0 where there is none. Off by default.
+  vtkSetMacro(ZeroIsMissing, bool);
+  vtkGetMacro(ZeroIsMissing, bool);
+  vtkBooleanMacro(ZeroIsMissing, bool);
+  ///@}
+
+  ///@{
+  /// With Source Heights From Surface or Mixed, add a point where a line of the source crosses an
+  /// edge of the surface that its heights come from, so that the line follows the terrain. If off,
+  /// it runs straight from point to point, through the air and below ground. With Mixed, a line
+  /// between two points with z is straight. On by default.
+  /// A place is the exact crossing, rounded once, as with CrossingMode SPLIT; lines with a point at
+  /// one place share it.
+  vtkSetMacro(SourceLinesOnSurface, bool);
+  vtkGetMacro(SourceLinesOnSurface, bool);
+  vtkBooleanMacro(SourceLinesOnSurface, bool);
+  ///@}
+
+  ///@{
+  /// Divide segments of the source that are longer than this, in the plane of the triangulation,
+  /// into equal parts, by points that are added. 0: none is divided. Default 0, at least 0.
+  /// After points were added on the surface (SourceLinesOnSurface), each piece is divided by
+  /// itself. The new points take heights and data as the line does: from the surface, or linearly
+  /// between the ends of the piece.
+  virtual void SetMaximumSegmentLength(double value);
+  vtkGetMacro(MaximumSegmentLength, double);
   ///@}
 
   ///@{
@@ -700,6 +736,12 @@ public:
   ///@}
 
   ///@{
+  /// Points added to lines of the source, in the last run, where they cross edges of the surface
+  /// (Source Lines On Surface) or are divided (Maximum Segment Length).
+  vtkGetMacro(NumberOfAddedLinePoints, vtkIdType);
+  ///@}
+
+  ///@{
   /// With Crossing Mode Split: segments of the source that bend by rounding, in the last run,
   /// because they pass through a point that is not exactly on them.
   vtkGetMacro(NumberOfBentConstraints, vtkIdType);
@@ -808,6 +850,9 @@ protected:
   bool MergeBlocks = false;
   int SourceMode = SOURCE_IDS;
   int SourceHeights = OWN;
+  bool ZeroIsMissing = false;
+  bool SourceLinesOnSurface = true;
+  double MaximumSegmentLength = 0.0;
   int ClosedLines = LINES;
   bool PointsAsLine = false;
   int FillRule = ORIENTATION;
@@ -858,6 +903,7 @@ protected:
   vtkIdType NumberOfPointsBeyondLimit = 0;
   vtkIdType NumberOfConstraintEdges = 0;
   vtkIdType NumberOfCrossings = 0;
+  vtkIdType NumberOfAddedLinePoints = 0;
   vtkIdType NumberOfBentConstraints = 0;
   vtkIdType NumberOfConstraintsLeftOut = 0;
   vtkIdType NumberOfUnfilledLoops = 0;

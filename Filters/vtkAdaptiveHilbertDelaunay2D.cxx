@@ -331,7 +331,8 @@ void vtkAdaptiveHilbertDelaunay2D::ReadSettings(
     settings.voronoiPolygon = ReadCorners(this->VoronoiPolygon);
   }
   settings.AddSourcePoints = !settings.idsAreOfInput;
-  settings.heightsFromSurface = settings.AddSourcePoints && this->SourceHeights == FROM_SURFACE;
+  settings.sourceHeights = settings.AddSourcePoints ? ahd::SourceHeights(this->SourceHeights)
+                                                    : ahd::SourceHeights::Own;
   const bool fits = this->ProjectionPlaneMode == VTK_BEST_FITTING_PLANE;
   settings.Transform = fits ? nullptr : this->Transform;
   settings.plane = fits  ? ahd::PlaneKind::BestFit

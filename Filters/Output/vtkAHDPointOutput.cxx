@@ -135,23 +135,34 @@ bool IsInside(const ahd::CrossingOrigin&)
   return true;
 }
 
-/// What linear interpolation gives at points that lie between others, from `first` on.
+/// What linear interpolation gives at points that lie between others, from `first` on. Of one that
+/// lies between such points the value is that of theirs before rounding.
 template <typename Origin>
 void InterpolateAt(vtkDataArray* array, const std::vector<Origin>& origins, vtkIdType first,
   const vtkAHDContext& context)
 {
   const bool whole = IsWhole(array);
+  const auto components = static_cast<std::size_t>(array->GetNumberOfComponents());
+  std::vector<double> exact(origins.size() * components);
   InPieces(static_cast<vtkIdType>(origins.size()), context,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end; ++k)
       {
         const Origin& origin = origins[static_cast<std::size_t>(k)];
-        for (int c = 0; c < array->GetNumberOfComponents() && IsInside(origin); ++c)
+        for (int c = 0; c < array->GetNumberOfComponents(); ++c)
         {
-          const double value = ahd::interpolate(
-            origin, [array, c](ahd::Index id) { return array->GetComponent(vtkIdType(id), c); });
-          array->SetComponent(first + k, c, whole ? ToWhole(value, array) : value);
+          const auto rowOf = [&](vtkIdType id)
+          { return &exact[static_cast<std::size_t>(id - first) * components + std::size_t(c)]; };
+          const auto valueAt = [&](vtkIdType id)
+          { return id < first || id >= first + k ? array->GetComponent(id, c) : *rowOf(id); };
+          double& value = *rowOf(first + k);
+          value = array->GetComponent(first + k, c);
+          if (IsInside(origin))
+          {
+            value = ahd::interpolate(origin, [&](ahd::Index id) { return valueAt(vtkIdType(id)); });
+            array->SetComponent(first + k, c, whole ? ToWhole(value, array) : value);
+          }
         }
       }
     });

@@ -33,7 +33,10 @@ def delaunay(
     source_points: Any = None,
     skip: Any = None,
     plane: Plane = "xy",
-    source_heights: Literal["own", "surface"] = "own",
+    source_heights: Literal["own", "surface", "mixed"] = "own",
+    zero_is_missing: bool = False,
+    lines_on_surface: bool = True,
+    maximum_segment_length: float = 0.0,
     closed_lines_are_loops: bool = False,
     points_as_line: bool = False,
     fill_rule: Literal["orientation", "even_odd"] = "even_odd",
@@ -99,9 +102,17 @@ def delaunay(
         x and y of the function's result. The function gets (k, 3) float64, k at most 2**14, and changes it in place or
         returns an array: the position in the plane and the height above it. The result is exact for the coordinates in
         that plane, in float64.
-    source_heights : {'own', 'surface'}, default 'own'
-        The z of the constraints' own points: as given, or interpolated on the surface of all others, where they lie on
-        it.
+    source_heights : {'own', 'surface', 'mixed'}, default 'own'
+        The z of the constraints' own points. 'own': as given. 'surface': interpolated on the surface of all others,
+        where they lie on it. 'mixed': as given, or where z is NaN, interpolated on the surface of all others and the
+        constraints between points with z.
+    zero_is_missing : bool, default False
+        With `source_heights` 'mixed', points of the constraints with z = 0 have no height, like those with NaN.
+    lines_on_surface : bool, default True
+        With `source_heights` 'surface' or 'mixed', add a point where a constraint crosses an edge of the surface that
+        heights come from, so that it follows the terrain. Otherwise it is straight.
+    maximum_segment_length : float, 0 or more, default 0.0
+        Divide longer segments of the constraints into equal parts, in the plane, by added points. 0: no limit.
     closed_lines_are_loops : bool, default False
         Treat lines that end where they begin as loops, alone or joined end to end.
     points_as_line : bool, default False

@@ -312,7 +312,8 @@ class Request:
             self._take("source_points", points_of("source_points", source_points), source_points)
             self.settings["cell_ids"] = library.IDS_OF_SOURCE
         elif self.settings["source_heights"] != library.HEIGHTS_OWN:
-            raise ValueError("source_heights='surface' needs source_points")
+            words = CHOICES["source_heights"]
+            raise ValueError("source_heights=%r needs source_points" % words[self.settings["source_heights"]])
         elif self.settings["points_as_line"]:
             raise ValueError("points_as_line needs source_points")
         self._take_chains(chains)

@@ -18,7 +18,10 @@ class Keyword(NamedTuple):
 
 #: Of `delaunay`: settings of a job.
 KEYWORDS = {
-    "source_heights": Keyword("source_heights", "own", words=("own", "surface")),
+    "source_heights": Keyword("source_heights", "own", words=("own", "surface", "mixed")),
+    "zero_is_missing": Keyword("zero_is_missing", False),
+    "lines_on_surface": Keyword("lines_on_surface", True),
+    "maximum_segment_length": Keyword("maximum_segment_length", 0.0, least=0.0, most=math.inf),
     "closed_lines_are_loops": Keyword("closed_lines", False),
     "points_as_line": Keyword("points_as_line", False),
     "fill_rule": Keyword("fill_rule", "even_odd", words=("orientation", "even_odd")),
@@ -43,7 +46,10 @@ KEYWORDS = {
 }
 #: Of mesh.adaptive: settings of vtkAdaptiveHilbertDelaunay2D.
 MESH_KEYWORDS = {
-    "heights": Keyword("SourceHeights", "own", words=("own", "surface")),
+    "heights": Keyword("SourceHeights", "own", words=("own", "surface", "mixed")),
+    "zero_is_missing": Keyword("ZeroIsMissing", False),
+    "lines_on_surface": Keyword("SourceLinesOnSurface", True),
+    "max_segment_length": Keyword("MaximumSegmentLength", 0.0, least=0.0, most=math.inf),
     "closed_lines": Keyword("ClosedLines", "loops", words=("lines", "loops")),
     "points_as_line": Keyword("PointsAsLine", False),
     "fill_rule": Keyword("FillRule", "even_odd", words=("orientation", "even_odd")),

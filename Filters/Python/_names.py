@@ -18,6 +18,7 @@ VALUES: Mapping[str, Mapping[str, str]] = {
 #: Of keywords: each pair names one thing. A function has one of them in its signature.
 KEYWORDS = (
     ("maximum_edge_length", "max_edge_length"),
+    ("maximum_segment_length", "max_segment_length"),
     ("bounding", "bound"),
     ("tolerance", "tol"),
     ("source_heights", "heights"),

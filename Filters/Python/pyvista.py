@@ -41,7 +41,10 @@ def delaunay_2d(
     *,
     constraints: Any = None,
     plane: Any = "automatic",
-    heights: Literal["own", "surface"] = "own",
+    heights: Literal["own", "surface", "mixed"] = "own",
+    zero_is_missing: bool = False,
+    lines_on_surface: bool = True,
+    max_segment_length: float = 0.0,
     closed_lines: Literal["lines", "loops"] = "loops",
     points_as_line: bool = False,
     fill_rule: Literal["orientation", "even_odd"] = "even_odd",
@@ -85,9 +88,17 @@ def delaunay_2d(
         The plane of the triangulation: the best-fitting plane, x and y ("xy"), or x and y of the transformed points;
         "automatic": x and y, or for points that stand like a wall the best-fitting plane, with a warning. Like a wall:
         seen from above a line or a narrow strip, where z is no function of x and y. The points keep their positions.
-    heights : {'own', 'surface'}, default 'own'
-        The z of the constraints' own points: as given, or interpolated on the surface of all others, where they lie on
-        it.
+    heights : {'own', 'surface', 'mixed'}, default 'own'
+        The z of the constraints' own points. 'own': as given. 'surface': interpolated on the surface of all others,
+        where they lie on it. 'mixed': as given, or where z is NaN, interpolated on the surface of all others and the
+        constraints between points with z.
+    zero_is_missing : bool, default False
+        With `heights` 'mixed', points of the constraints with z = 0 have no height, like those with NaN.
+    lines_on_surface : bool, default True
+        With `heights` 'surface' or 'mixed', add a point where a constraint crosses an edge of the surface that heights
+        come from, so that it follows the terrain. Otherwise it is straight.
+    max_segment_length : float, 0 or more, default 0.0
+        Divide longer segments of the constraints into equal parts, in the plane, by added points. 0: no limit.
     closed_lines : {'lines', 'loops'}, default 'loops'
         Whether lines that end where they begin, alone or joined end to end, are outlines, like polygons, or just lines.
     points_as_line : bool, default False
@@ -194,7 +205,10 @@ def to_raster(
     plane: Any = "xy",
     edge_source: Any = None,
     constraints: Any = None,
-    heights: Literal["own", "surface"] = "own",
+    heights: Literal["own", "surface", "mixed"] = "own",
+    zero_is_missing: bool = False,
+    lines_on_surface: bool = True,
+    max_segment_length: float = 0.0,
     closed_lines: Literal["lines", "loops"] = "loops",
     points_as_line: bool = False,
     fill_rule: Literal["orientation", "even_odd"] = "even_odd",
@@ -243,7 +257,9 @@ def to_raster(
         The plane, as in `delaunay_2d`. The raster lies in that plane.
     edge_source, constraints, progress_bar
         As in `delaunay_2d`.
-    heights, closed_lines, points_as_line, fill_rule, crossings, maximum_edge_length, alpha, rim
+    heights, zero_is_missing, lines_on_surface, max_segment_length, closed_lines, points_as_line, fill_rule
+        As in `delaunay_2d`.
+    crossings, maximum_edge_length, alpha, rim
         As in `delaunay_2d`.
     tol, duplicates, threads, memory_limit
         As in `delaunay_2d`.
@@ -279,7 +295,10 @@ def sample(
     plane: Any = "xy",
     edge_source: Any = None,
     constraints: Any = None,
-    heights: Literal["own", "surface"] = "own",
+    heights: Literal["own", "surface", "mixed"] = "own",
+    zero_is_missing: bool = False,
+    lines_on_surface: bool = True,
+    max_segment_length: float = 0.0,
     closed_lines: Literal["lines", "loops"] = "loops",
     points_as_line: bool = False,
     fill_rule: Literal["orientation", "even_odd"] = "even_odd",
@@ -305,7 +324,9 @@ def sample(
         The points at which to interpolate, by x and y.
     method, outside, no_value, gradients, elevation, plane, edge_source, constraints, progress_bar
         As in `to_raster`.
-    heights, closed_lines, points_as_line, fill_rule, crossings, maximum_edge_length, alpha, rim
+    heights, zero_is_missing, lines_on_surface, max_segment_length, closed_lines, points_as_line, fill_rule
+        As in `delaunay_2d`.
+    crossings, maximum_edge_length, alpha, rim
         As in `delaunay_2d`.
     tol, duplicates, threads, memory_limit
         As in `delaunay_2d`.

@@ -69,7 +69,7 @@ std::vector<std::pair<const char*, double>> NumbersToCompare(const vtkAHDSetting
   const auto* const polygon = reinterpret_cast<const char*>(settings.voronoiPolygon.data());
   const std::string_view corners(polygon, settings.voronoiPolygon.size() * sizeof(ahd::Point));
   numbers.emplace_back("VoronoiPolygon", double(std::hash<std::string_view>()(corners)));
-  numbers.emplace_back("SourceHeights", settings.heightsFromSurface);
+  numbers.emplace_back("SourceHeights", double(settings.sourceHeights));
   numbers.emplace_back("ProjectionPlaneMode", settings.fitsPlane());
   numbers.emplace_back("Rim", double(isHull ? ahd::RimKind::ConvexHull : settings.rim));
   return numbers;
@@ -254,7 +254,9 @@ const char* vtkAHDAllFacts::FindUnfit(const vtkAHDSettings& settings) const
       "Rim Trimmed (what Automatic is in any other plane than x, y), where there are "
       "constraints," },
     { settings.split && hasSegments, "CrossingMode Split" },
-    { settings.heightsFromSurface && this->GetSourcePoints() > 0, "SourceHeights From Surface" },
+    { settings.laysSource() && this->GetSourcePoints() > 0,
+      settings.sourceHeights == ahd::SourceHeights::Mixed ? "SourceHeights Mixed"
+                                                          : "SourceHeights From Surface" },
   };
   for (const auto& one : unfit)
   {

@@ -121,7 +121,7 @@ void vtkAHDRankSamples::Take(const std::vector<ahd::Bounds>& boxes)
   this->AddedPoints = static_cast<std::size_t>(
     needed.end() - std::lower_bound(needed.begin(), needed.end(), first));
   this->LocalSettings.AddSourcePoints = false; // they are among the others
-  this->LocalSettings.heightsFromSurface = false;
+  this->LocalSettings.sourceHeights = ahd::SourceHeights::Own;
   this->LocalSettings.idsAreOfInput = true;
   this->LocalSettings.closedLinesAreLoops = false;
   this->LocalSettings.split = false;

@@ -111,7 +111,9 @@ ahd::Bounds vtkAHDRankSampling::FindBounds(const Inputs& inputs, std::size_t& po
   vtkAHDCheckBefore(inputs.Before, this->Ranks, this->Context, said);
   vtkAHDSettings settings = this->Settings;
   settings.tolerance = 0.0; // only what determines the points' positions
-  settings.split = settings.heightsFromSurface = false;
+  settings.split = false;
+  settings.sourceHeights = ahd::SourceHeights::Own;
+  settings.maximumSegmentLength = 0.0;
   vtkAHDAllFacts facts;
   vtkAHDMeet(settings, inputs.Data, this->Ranks, this->Context, facts);
   facts.Compare(settings, said);

@@ -36,7 +36,7 @@ ahd::InputRequest OnlyPlaces(ahd::InputRequest request)
   request.polygons = ahd::CellsView();
   request.tolerance = 0.0;
   request.split = false;
-  request.heightsFromSurface = false;
+  request.heights = ahd::SourceHeights::Own;
   return request;
 }
 }

@@ -42,7 +42,8 @@ enum FilterByte : std::size_t
   kOffset,     ///< likewise
   kLimit,      ///< InsertionLimit
   kMemory,     ///< 0, or MemoryLimit as a number
-  kThreadCount, ///< bits 0-1 NumberOfThreads; 2 closed lines; 3 source heights; 4 points as line
+  kThreadCount, ///< bits 0-1 NumberOfThreads; 2 closed lines; 3, 7 source heights; 4 points as
+                ///< line; 5 zero is missing; 6 straight lines
   kAbortAt,     ///< a first execution is aborted at this progress event; 0: there is none
   kChange,      ///< changes between executions
   kMultiply,    ///< from 224 on: the points 4, 16, 64 times, side by side

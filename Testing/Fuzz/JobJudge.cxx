@@ -45,6 +45,19 @@ void setFlags(JobRun& run, unsigned bits)
   }
 }
 
+/// How lines get points. Segments are divided into some 20 parts at most.
+void setLines(JobRun& run, unsigned bits, const std::vector<double>& xyz)
+{
+  double largest = 0.0;
+  for (const double number : xyz)
+  {
+    largest = std::isfinite(number) ? std::max(largest, std::abs(number)) : largest;
+  }
+  run.set("zero_is_missing", std::int64_t(bits & 1u));
+  run.set("lines_on_surface", std::int64_t(1u - (bits >> 1 & 1u)));
+  run.set("maximum_segment_length", (bits & 4u) != 0 ? largest / 8.0 : 0.0);
+}
+
 /// All other features, by the case's bytes.
 void setAnything(JobRun& run, const FuzzCase& given, const std::vector<double>& xyz)
 {
@@ -71,7 +84,8 @@ void setAnything(JobRun& run, const FuzzCase& given, const std::vector<double>& 
   run.set("rim", std::int64_t(more % 3));
   run.set("want_voronoi", bit(more, 2));
   run.set("want_curve", bit(more, 3));
-  run.set("source_heights", bit(more, 4));
+  run.set("source_heights", bit(more, 4) * (1 + bit(more, 7)));
+  setLines(run, given.head[kLimit] >> 5, xyz);
   run.set("cell_ids", bit(more, 5));
   run.set("insertion_limit", std::int64_t(given.head[kLimit]));
   run.set("unfitted_points", std::int64_t(given.head[kMostBoxes]));

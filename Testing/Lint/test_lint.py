@@ -255,7 +255,7 @@ class ComplaintsTest(unittest.TestCase):
                 ("delaunay", 'job = "rim"\non_surface = 1', 'job = "rim"\non_surface = 3', "on_surface is no value"),
                 ("job", "keyword_default = 1", "keyword_default = 2", "the default 2 is not from 0 to 1"),
                 ("job", "mesh_default = 1", "mesh_default = 2", "the default 2 is not from 0 to 1"),
-                ("job", 'names = ["own", "surface"]', 'names = ["own", "own"]', "1 names for 0 to 1"),
+                ("job", 'names = ["own", "surface", "mixed"]', 'names = ["own", "own"]', "1 names for 0 to 2"),
                 ("job", 'keyword = "nmax"', 'keyword = "rim"', "two rows have the keyword rim"),
                 ("job", 'mesh_keyword = "tol"', 'mesh_keyword = "rim"', "two rows have the keyword rim"),
                 ("arrays", 'keyword = "rank"', 'keyword = "status"', "two rows have the keyword status")):

@@ -140,7 +140,7 @@ def test_choices():
         "CrossingMode": ["Leave out", "Split"],
         "FillRule": ["Orientation", "Even-odd"],
         "ClosedLines": ["Lines", "Loops"],
-        "SourceHeights": ["Own", "From Surface"],
+        "SourceHeights": ["Own", "From Surface", "Mixed"],
         "ProjectionPlaneMode": ["XY Plane", "Transform Plane", "Best-Fitting Plane"],
         "DuplicatePolicy": ["First", "Lowest z", "Highest z", "Mean z"],
         "VoronoiClip": ["Hull", "Bounds", "Polygon"],

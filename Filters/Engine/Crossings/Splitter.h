@@ -7,6 +7,7 @@
 #include "Crossings.h"
 #include "PieceSearch.h"
 #include "PlaceTable.h"
+#include "Way.h"
 
 #include <array>
 #include <cstddef>
@@ -15,26 +16,6 @@
 
 namespace ahd
 {
-
-/// The ends of a segment, in its direction.
-struct Way
-{
-  Point from;
-  Point to;
-
-  Segment leftToRight() const
-  {
-    return lexicographicallyLess(from, to) ? Segment{ from, to } : Segment{ to, from };
-  }
-
-  /// Does it pass a before b? @pre both are points on it, rounded, which is monotone in each
-  /// coordinate; so they are in the order of both.
-  bool isBefore(const Point& a, const Point& b) const
-  {
-    return a.x != b.x ? (a.x < b.x) == (from.x < to.x)
-                      : a.y != b.y && (a.y < b.y) == (from.y < to.y);
-  }
-};
 
 /// A place on a segment or a piece: the numbers of both. Sorted as packed numbers.
 using OnSegment = std::uint64_t;

@@ -54,6 +54,7 @@ constexpr struct
   { AHD_IDS_OF_SOURCE, std::int64_t(CellIds::OfSource) },
   { AHD_HEIGHTS_OWN, std::int64_t(SourceHeights::Own) },
   { AHD_HEIGHTS_FROM_SURFACE, std::int64_t(SourceHeights::FromSurface) },
+  { AHD_HEIGHTS_MIXED, std::int64_t(SourceHeights::Mixed) },
   { AHD_FILL_ORIENTATION, std::int64_t(FillRule::Orientation) },
   { AHD_FILL_EVEN_ODD, std::int64_t(FillRule::EvenOdd) },
   { AHD_CLIP_HULL, std::int64_t(VoronoiClip::Hull) },

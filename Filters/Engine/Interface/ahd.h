@@ -81,7 +81,7 @@ enum
   AHD_TOO_MANY_BOXES = 3,     /* with want_boxes: more than most_boxes */
   AHD_OUT_OF_MEMORY = 4,      /* an allocation failed */
   AHD_MEMORY_LIMIT = 5,       /* the estimate is above the limit */
-  AHD_TOO_MANY_CROSSINGS = 6, /* with split_crossings: more than most_crossings */
+  AHD_TOO_MANY_CROSSINGS = 6, /* of segments, or points on them: more than most_crossings */
   AHD_UNKNOWN_NAME = 7,       /* no setting, array or count has this name */
   AHD_BAD_VALUE = 8,          /* out of range, or inconsistent with other values */
   AHD_BAD_ARRAY = 9,          /* wrong type, shape or size, or a null pointer */
@@ -152,7 +152,9 @@ enum
 enum
 {
   AHD_HEIGHTS_OWN = 0,
-  AHD_HEIGHTS_FROM_SURFACE = 1 /* linear interpolation in the triangulation of the input alone */
+  AHD_HEIGHTS_FROM_SURFACE = 1, /* linear interpolation in the triangulation of the input alone */
+  AHD_HEIGHTS_MIXED = 2         /* where z is NaN, in that of the input and the points with z,
+                                   constrained by the segments between these; else own */
 };
 
 /* fill_rule: which regions between loops are kept */
@@ -227,6 +229,8 @@ AHD_API const char* ahd_message(const ahd_job* job);
  *   points_as_line   0        0, 1: source_points without lines and loops are a line
  *   split_crossings  0        0, 1: split crossing segments by points; 0: the later is left out
  *   source_heights   0        AHD_HEIGHTS_...
+ *   zero_is_missing  0        0, 1: with AHD_HEIGHTS_MIXED, z = 0 of source_points is as NaN
+ *   lines_on_surface  1       0, 1: add points where segments with its heights cross edges of it
  *   fill_rule        0        AHD_FILL_...
  *   plane            0        AHD_PLANE_...
  *   rim              0        AHD_RIM_...
@@ -254,6 +258,7 @@ AHD_API const char* ahd_message(const ahd_job* job);
  *   offset           1        0.75 to 1.7e308: distance of the bounding points, in diagonals
  *   alpha            0        0 to infinity: largest circumradius in space; 0: no limit
  *   maximum_edge_length  0    0 to infinity: of edges in the plane; 0: no limit
+ *   maximum_segment_length  0  0 to infinity: in the plane; longer segments are divided; 0: none
  *   progress_delay   0        seconds, 0 to infinity: no report in the first so many of a call
  *
  * AHD_UNKNOWN_NAME, AHD_BAD_VALUE (NaN too); ahd_get_...: AHD_BAD_ARRAY if `value` is null. */
@@ -350,8 +355,9 @@ AHD_API ahd_status ahd_choose_plane(ahd_job* job, int64_t* plane);
  *   threads_used        that shared work, later calls included; 1 if nothing was worth sharing
  *   dispatch_target     instruction set of the processor: 0 baseline, 1 AVX2, 2 AVX-512
  * Known after AHD_OK:
- *   input_points, source_points, added_points (source, bounding points, crossings),
+ *   input_points, source_points, added_points (source, those on lines, bounding, crossings),
  *   split_crossings     crossings that were split
+ *   points_added_to_lines  where segments cross edges of the surface, or are divided
  *   crossings           the same, or, without the setting split_crossings, segments_crossing
  *   inserted, duplicates, not_finite, skipped, merged_points, beyond_limit
  *                       numbers of points by status; their sum is points. not_finite: rejected
@@ -373,7 +379,7 @@ AHD_API ahd_status ahd_choose_plane(ahd_job* job, int64_t* plane);
  *                       ids of chains that are not ids of points, the first, and its cell
  *   bent_segments, first_bent_cell
  *                       segments through a vertex that is not exactly on them
- *   points_off_surface  of the source, outside the triangulation of the input
+ *   points_off_surface  of the source, outside the surface that they should take heights from
  *   source_apart        0, 1: boxes around source_points and points do not meet in the plane
  *   loops_miss_input    0, 1: no point is in what loops of source_points keep, nor at its border
  *   lines_at_zero       lines and loops of source_points at z = 0, all points being above or below
@@ -438,8 +444,10 @@ AHD_API ahd_status ahd_measures(ahd_job* job, double* values, uint64_t capacity)
  *   voronoi_corners     id       (k)          rows of voronoi_points, counterclockwise
  *   voronoi_sites       id       (c)          the point of the cell; ascending vertices' ids
  *   merged              id       (m, 2)       points merged by tolerance, and into which
- *   surface_corners     id       (s, 3)       with AHD_HEIGHTS_FROM_SURFACE, of each source point:
- *   surface_weights     float64  (s, 3)       between which it lies; weights 0: outside
+ *   surface_corners     id       (s, 3)       with heights from a surface, or points added to
+ *   surface_weights     float64  (s, 3)       lines, of each source point, then of each of those:
+ *                                             between which it lies, to be found in this order;
+ *                                             weights 0: it keeps its own height and data
  *   crossing_ends       id       (x, 4)       of each crossing that was added: the ends of its two
  *   crossing_fractions  float64  (x, 2)       segments, and where on them it lies
  *   crossing_cells      id       (r, 2)       cells of segments that cross, later and earlier:
@@ -474,8 +482,9 @@ AHD_API ahd_status ahd_draw_order(ahd_job* job, int32_t type, const ahd_drawing*
 
 /* Point data of points that lie between others. `values`: `columns` numbers for each output point,
  * row by row, with those of input points and of source points filled in. Replaces them, by linear
- * interpolation, at source points laid on the surface (AHD_AT_SURFACE) and then at crossings
- * (AHD_AT_CROSSINGS); `where` is one of these or their sum. Cannot be cancelled. */
+ * interpolation, at source points laid on the surface and points added to lines (AHD_AT_SURFACE),
+ * and then at crossings (AHD_AT_CROSSINGS); `where` is one of these or their sum. Cannot be
+ * cancelled. */
 enum
 {
   AHD_AT_SURFACE = 1,

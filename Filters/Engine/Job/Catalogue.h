@@ -36,8 +36,8 @@ constexpr Row kRows[] = {
     "{of_memory}. Nothing was computed. {no_boxes}, take fewer points or a larger {nmax}, "
     "{or_set_limit}" },
   { Topic::Refusal, "too many crossings", "refused=crossings",
-    "{the_lines} cross in more than {most_crossings} places. Splitting them there and "
-    "triangulating {own_points} points and the crossings may take more than {of_memory}. Nothing "
+    "{the_lines} need points in more than {most_crossings} places, where they cross or are "
+    "divided. Triangulating {own_points} points and these may take more than {of_memory}. Nothing "
     "was computed. {fewer_lines}, {or_set_limit}" },
   { Topic::Refusal, "memory to triangulate", "refused=limit !doing",
     "Triangulating {points} points may take {of_memory}. Nothing was computed. Take fewer points, "
@@ -291,8 +291,9 @@ constexpr Phrase kPhrases[] = {
   { "fewer_arrays", { "ask for fewer arrays", "switch off outputs that are not needed" } },
   { "the_lines", { "Segments", "The lines and polygons of the source" } },
   { "fewer_lines",
-    { "Take fewer segments, leave out those that cross",
-      "Take fewer lines, set CrossingMode to Leave Out" } },
+    { "Take fewer segments or a larger \"maximum_segment_length\", leave out those that cross",
+      "Take fewer lines or a larger MaximumSegmentLength, set CrossingMode to Leave Out",
+      "Take fewer segments or a larger `maximum_segment_length`, leave out those that cross" } },
   { "but_not_drawn", { "", ", but cannot be drawn" } },
   { "size_limits",
     { "\"alpha\" and \"maximum_edge_length\"", "Alpha, its switches and MaximumEdgeLength",

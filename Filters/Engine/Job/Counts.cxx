@@ -151,7 +151,7 @@ Facts factsOf(const Job& job, Facts known)
       known.addMissing({ row.name, row.get(*made) }, given);
     }
     known = factsOf(made->sampling.report, std::move(known));
-    known.addMissing({ "splits", made->asked.split }, given);
+    known.addMissing({ "splits", made->asked.split || made->points.addedToLines() > 0 }, given);
     known.addMissing({ "cell_ids", !made->asked.idsAreOfInput }, given);
   }
   const bool isKnown = job.madeResult() || job.report().status != Status::Ok;

@@ -27,7 +27,9 @@ void JobSettings::read(RunSettings& run) const
   put((*this)[IntSetting::ClosedLines], run.closedLinesAreLoops);
   put((*this)[IntSetting::PointsAsLine], run.pointsAreLine);
   put((*this)[IntSetting::SplitCrossings], run.split);
-  put((*this)[IntSetting::SourceHeights], run.heightsFromSurface);
+  put((*this)[IntSetting::SourceHeights], run.sourceHeights);
+  put((*this)[IntSetting::ZeroIsMissing], run.zeroIsMissing);
+  put((*this)[IntSetting::LinesOnSurface], run.linesOnSurface);
   put((*this)[IntSetting::FillRule], run.fillRule);
   put((*this)[IntSetting::Plane], run.plane);
   put((*this)[IntSetting::Rim], run.rim);
@@ -45,6 +47,7 @@ void JobSettings::read(RunSettings& run) const
   put((*this)[DoubleSetting::Offset], run.offset);
   put((*this)[DoubleSetting::Alpha], run.limits.alpha);
   put((*this)[DoubleSetting::MaximumEdgeLength], run.limits.maximumEdgeLength);
+  put((*this)[DoubleSetting::MaximumSegmentLength], run.maximumSegmentLength);
   for (std::size_t k = 0; k < kWantedArrays; ++k)
   {
     run.wanted[k] = is(kWantedRows[k].setting);

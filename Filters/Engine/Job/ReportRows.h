@@ -40,6 +40,8 @@ constexpr ReportRow<std::uint64_t> kCountRows[] = {
   { "source_points", true, [](const RunReport& r) { return std::uint64_t(r.sourcePoints); } },
   { "added_points", true, [](const RunReport& r) { return std::uint64_t(r.addedPoints); } },
   { "split_crossings", true, [](const RunReport& r) { return std::uint64_t(r.crossings); } },
+  { "points_added_to_lines", true,
+    [](const RunReport& r) { return std::uint64_t(r.addedToLines); } },
   { "inserted", true, [](const RunReport& r) { return std::uint64_t(r.counts.inserted); } },
   { "duplicates", true, [](const RunReport& r) { return std::uint64_t(r.counts.duplicates); } },
   { "not_finite", true, [](const RunReport& r) { return std::uint64_t(r.counts.notFinite); } },

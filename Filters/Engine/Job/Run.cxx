@@ -160,7 +160,7 @@ std::vector<double> Run::firstStages() const
   const bool constrains = report_.segments > 0;
   return {
     0.02 + weight(settings_.isProjected(), 0.5) + weight(settings_.tolerance > 0.0, 1.5) +
-      weight(settings_.heightsFromSurface, 1.5) + weight(settings_.split && constrains, 2.0),
+      weight(settings_.laysSource(), 1.5) + weight(settings_.split && constrains, 2.0),
     1.0,
     weight(settings_.voronoi, 3.0),
     weight(constrains, 0.6) + weight(settings_.mayTrimRim(), 0.05) +
@@ -230,6 +230,11 @@ Status Run::prepare(const Open& open, RunResult& made)
   {
     report_.points = made.points.points().count;
     report_.crossings = made.points.crossings().size();
+    report_.addedToLines = made.points.addedToLines();
+    const ConstraintView chains = made.points.constraints();
+    const std::size_t ids = chains.chains == 0 ? 0 : std::size_t(chains.offsets[chains.chains]);
+    const bool areLaid = settings_.laysSource() || settings_.maximumSegmentLength > 0.0;
+    report_.segments = areLaid ? std::max(report_.segments, ids) : report_.segments;
   }
   return end(status);
 }
@@ -249,8 +254,7 @@ Status Run::triangulate(RunResult& made)
     return status;
   }
   status = findOddPoints(points, context_, report_.oddPoints);
-  if (status == Status::Ok && !made.points.crossings().empty() &&
-    triangulation.report().duplicates > 0)
+  if (status == Status::Ok && triangulation.report().duplicates > 0)
   {
     status = made.points.endCrossingsAtVertices(triangulation, context_);
   }
@@ -302,7 +306,7 @@ Status Run::constrain(RunResult& made)
 Status Run::lookForInput(const RunResult& made)
 {
   const ConstraintView constraints = made.points.constraints();
-  if (made.points.sourceCount() == 0 || settings_.heightsFromSurface ||
+  if (made.points.sourceCount() == 0 || settings_.sourceHeights == SourceHeights::FromSurface ||
     constraints.chains == constraints.lines || made.triangulation.report().triangles == 0)
   {
     return Status::Ok;

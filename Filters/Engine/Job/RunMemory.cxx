@@ -70,6 +70,7 @@ private:
   bool selectsByAlpha() const { return settings_.limits.alpha > 0.0; }
   /// By limits in the plane alone?
   bool selectsInPlane() const { return settings_.limitsSize() && !selectsByAlpha(); }
+  bool addsToSegments() const { return sizes_.crossings + sizes_.addedToLines > 0; }
   bool hasSurface() const { return request_.surface.count > 0; }
   bool writesCells() const { return !settings_.samples; }
   bool keepsTables() const { return settings_.voronoi && sizes_.segments == 0; }
@@ -100,15 +101,17 @@ std::size_t Estimate::preparing() const
   const std::size_t known = preparationMemoryEstimate(request_);
   const std::size_t toSplit = sizes_.crossings > 0 ? splitMemoryEstimate(0, sizes_.crossings) : 0;
   std::size_t bytes = known + std::max(toSplit, sizes_.askedToSplit);
-  if (sizes_.crossings > 0)
+  if (addsToSegments())
   {
     bytes = std::max(bytes, prepared() + known); // as they are added
   }
-  if (request_.heightsFromSurface && request_.sourcePoints.count > 0)
+  if (settings_.laysSource() && request_.sourcePoints.count > 0)
   {
-    const std::size_t own = request_.points.count;
+    const bool areMixed = request_.heights == SourceHeights::Mixed;
+    const std::size_t own = request_.points.count + (areMixed ? request_.sourcePoints.count : 0);
     bytes += triangulationMemoryEstimate(own, settings_.options) + tableMemoryEstimate(own) +
-      (settings_.showsMeans ? own * kMeans : 0);
+      (settings_.showsMeans ? own * kMeans : 0) +
+      (areMixed ? knownConstraintMemory(own, sizes_.segments) : 0);
   }
   return bytes;
 }
@@ -117,10 +120,11 @@ std::size_t Estimate::preparing() const
 std::size_t Estimate::prepared() const
 {
   std::size_t bytes = preparedMemoryEstimate(request_) + perPoint(hasSurface(), 1); // marks
-  if (sizes_.crossings > 0)
+  if (addsToSegments())
   {
     bytes += sizes_.points * (kPlace + 1) +
-      sizes_.crossings * (sizeof(CrossingOrigin) + 2 * kId + 2 * kId); // cells, ids
+      sizes_.crossings * (sizeof(CrossingOrigin) + 2 * kId + 2 * kId) + // cells, ids
+      sizes_.addedToLines * (2 * sizeof(SurfacePlace) + 2 * (kId + 1)); // ids, marks
   }
   return bytes;
 }

@@ -17,6 +17,7 @@ struct RunSizes
   std::size_t points = 0; ///< added ones included
   std::size_t segments = 0;
   std::size_t crossings = 0;
+  std::size_t addedToLines = 0; ///< points; known when crossings are
   std::size_t boxes = 0;
   std::size_t surfaceEdges = 0; ///< of given triangles, to become constraints
   /// Bytes requested while segments are split, and while they are inserted (Progress::take()).
@@ -24,8 +25,8 @@ struct RunSizes
 
   auto fields()
   {
-    return std::tie(
-      points, segments, crossings, boxes, surfaceEdges, askedToSplit, askedToConstrain);
+    return std::tie(points, segments, crossings, addedToLines, boxes, surfaceEdges, askedToSplit,
+      askedToConstrain);
   }
 };
 

@@ -25,8 +25,11 @@ struct RunSettings
   bool showsMeans = false; ///< of places with several points, in space
   bool idsAreOfInput = true;
   bool closedLinesAreLoops = false;
-  bool pointsAreLine = false;      ///< of a source that has nothing else
-  bool heightsFromSurface = false; ///< of source points that are added
+  bool pointsAreLine = false;                       ///< of a source that has nothing else
+  SourceHeights sourceHeights = SourceHeights::Own; ///< of source points that are added
+  bool zeroIsMissing = false;
+  bool linesOnSurface = true;
+  double maximumSegmentLength = 0.0;
   bool split = false;
   FillRule fillRule = FillRule::Orientation;
   PlaneKind plane = PlaneKind::Xy;
@@ -69,6 +72,8 @@ struct RunSettings
 
   /// Are the cells of a Voronoi diagram clipped at a polygon?
   bool clipsAtPolygon() const { return voronoi && voronoiClip == VoronoiClip::Polygon; }
+  /// Have points of the source heights of a surface?
+  bool laysSource() const { return sourceHeights != SourceHeights::Own; }
   /// Is the plane another than x, y?
   bool isProjected() const { return plane != PlaneKind::Xy; }
   /// Must the plane be fitted?
@@ -103,7 +108,10 @@ struct RunSettings
     request.idsAreOfInput = idsAreOfInput;
     request.closedLinesAreLoops = closedLinesAreLoops;
     request.pointsAreLine = pointsAreLine;
-    request.heightsFromSurface = heightsFromSurface;
+    request.heights = sourceHeights;
+    request.zeroIsMissing = zeroIsMissing;
+    request.linesOnSurface = linesOnSurface;
+    request.maximumSegmentLength = maximumSegmentLength;
     request.representative = options.representative;
     request.meanHeights = showsMeans;
     request.fitPlane = fitsPlane();

@@ -28,6 +28,8 @@ enum class IntSetting : std::size_t
   PointsAsLine,
   SplitCrossings,
   SourceHeights,
+  ZeroIsMissing,
+  LinesOnSurface,
   FillRule,
   Plane,
   Rim,
@@ -60,6 +62,7 @@ enum class DoubleSetting : std::size_t
   Offset,
   Alpha,
   MaximumEdgeLength,
+  MaximumSegmentLength,
   ProgressDelay
 };
 
@@ -85,7 +88,9 @@ constexpr SettingRow<std::int64_t> kIntRows[] = {
   { "closed_lines", 0, 0, 1 },
   { "points_as_line", 0, 0, 1 },
   { "split_crossings", 0, 0, 1 },
-  { "source_heights", 0, 0, 1 },
+  { "source_heights", 0, 0, 2 },
+  { "zero_is_missing", 0, 0, 1 },
+  { "lines_on_surface", 1, 0, 1 },
   { "fill_rule", 0, 0, 1 },
   { "plane", 0, 0, 3 },
   { "rim", 0, 0, 2 },
@@ -117,6 +122,7 @@ constexpr SettingRow<double> kDoubleRows[] = {
   { "offset", 1.0, 0.75, 1.7e+308 },
   { "alpha", 0.0, 0.0, std::numeric_limits<double>::infinity() },
   { "maximum_edge_length", 0.0, 0.0, std::numeric_limits<double>::infinity() },
+  { "maximum_segment_length", 0.0, 0.0, std::numeric_limits<double>::infinity() },
   { "progress_delay", 0.0, 0.0, std::numeric_limits<double>::infinity() },
 };
 
@@ -135,6 +141,8 @@ constexpr OnSurface<IntSetting, std::int64_t> kIntsOnSurface[] = {
   { IntSetting::PointsAsLine, 0 },
   { IntSetting::SplitCrossings, 0 },
   { IntSetting::SourceHeights, 0 },
+  { IntSetting::ZeroIsMissing, 0 },
+  { IntSetting::LinesOnSurface, 1 },
   { IntSetting::Rim, 1 },
   { IntSetting::Bounding, 0 },
   { IntSetting::AlphaTriangles, 1 },
@@ -146,6 +154,7 @@ constexpr OnSurface<DoubleSetting, double> kDoublesOnSurface[] = {
   { DoubleSetting::Tolerance, 0.0 },
   { DoubleSetting::Alpha, 0.0 },
   { DoubleSetting::MaximumEdgeLength, 0.0 },
+  { DoubleSetting::MaximumSegmentLength, 0.0 },
 };
 
 constexpr std::size_t kIntSettings = std::size(kIntRows);

@@ -25,6 +25,17 @@ void interpolateRow(
   }
 }
 
+/// At the points added to lines: columns from `firstColumn` on.
+void interpolateOnLines(
+  const PreparedInput& points, double* values, std::size_t columns, std::size_t firstColumn)
+{
+  for (std::size_t k = points.sourceCount(); k < points.surfacePlaces().size(); ++k)
+  {
+    interpolateRow(
+      points.surfacePlaces()[k], values, columns, points.inputCount() + k, firstColumn);
+  }
+}
+
 } // namespace
 
 void interpolateAtSurface(const PreparedInput& points, double* values, std::size_t columns)
@@ -147,7 +158,9 @@ Status SpacePoints::showMeans(RunResult& made, const Context& context)
         rounded_ = std::move(means);
         return true;
       }
-      interpolateAtCrossings(points, doubles_.numbers, 3, points.isProjected() ? 0 : 2);
+      const std::size_t firstColumn = points.isProjected() ? 0 : 2;
+      interpolateOnLines(points, doubles_.numbers, 3, firstColumn);
+      interpolateAtCrossings(points, doubles_.numbers, 3, firstColumn);
       return true;
     });
 }

@@ -50,12 +50,6 @@ enum class CellIds
   OfSource
 };
 
-enum class SourceHeights
-{
-  Own,
-  FromSurface
-};
-
 enum class PlaneKind
 {
   Xy,

@@ -79,8 +79,10 @@ Status Preparation::run()
   status = status == Status::Ok ? findSourceBounds() : status;
   status = status == Status::Ok ? takeHeights() : status;
   status = status == Status::Ok ? merge() : status;
-  status = status == Status::Ok ? addBounding() : status;
   status = status == Status::Ok ? readConstraints() : status;
+  status = status == Status::Ok ? layLines() : status;
+  surface_.reset();
+  status = status == Status::Ok ? addBounding() : status;
   return status == Status::Ok ? split() : status;
 }
 
@@ -99,13 +101,15 @@ Status Preparation::open()
     return Status::Cancelled;
   }
   double* to = add(count);
+  const bool moves = request_.fitPlane || request_.projection;
   Ticker ticker(&phases_, Phase::Merge, 0, context_.executor);
   const bool all = inChunksOf(count, ticker,
-    [this, to](std::size_t begin, std::size_t end)
+    [this, to, moves](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const Vector3 p = request_.sourcePoints.place(i);
+        Vector3 p = request_.sourcePoints.place(i);
+        p[2] = moves && isMissing(i) ? 0.0 : p[2]; // so that there is a place in the plane
         std::copy(p.begin(), p.end(), to + 3 * i);
       }
     });
@@ -277,7 +281,8 @@ Status Preparation::addBounding()
     return Status::Ok;
   }
   SpaceBox box;
-  Ticker ticker(&phases_, Phase::Merge, 0, context_.executor);
+  const Phase phase = out_.hasConstraints() ? Phase::Split : Phase::Merge;
+  Ticker ticker(&phases_, phase, 0, context_.executor);
   if (request_.bounds)
   {
     box.low = (*request_.bounds)[0];
@@ -295,7 +300,7 @@ Status Preparation::addBounding()
   {
     box.low[2] = box.high[2] = 0.0;
   }
-  if (!copy(Phase::Merge))
+  if (!copy(phase))
   {
     return Status::Cancelled;
   }

@@ -4,18 +4,18 @@
 
 #include "../Core/Progress.h"
 #include "../Crossings/Crossings.h"
+#include "HeightSurface.h"
 #include "Prepare.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace ahd
 {
-
-struct Mean;
 
 /// Presents several pieces of work to the caller as one phase: it begins once, and its fraction
 /// does not fall. `caller` may be null.
@@ -82,13 +82,20 @@ private:
   Status open();    // the input's points, then the source's
   Status project(); // moves all into the plane
   Status findSourceBounds();
-  Status takeHeights();     // of the source, from the surface of the input
+  Status takeHeights();     // of the source, from a surface
   Status merge();           // leaves out those near others
-  Status addBounding();     // the eight around all
   Status readConstraints(); // in the ids of the points
+  Status layLines();        // adds points to them
+  Status addBounding();     // the eight around all
   Status split();           // adds the crossings
 
-  Status layOn(const Triangulation& surface, const std::vector<Mean>& means);
+  bool isMissing(std::size_t sourcePoint) const;
+  bool keepsHeight(std::size_t id) const;
+  bool isOnSurface(Index from, Index to) const;
+  bool isOnSurface(const CrossingPoint::Side& side) const;
+  Status triangulateSurface();
+  Status constrainSurface(const Context& context);
+  Status layOn();
   bool copy(Phase phase);
   double* makeRoom();
   double* add(std::size_t count);
@@ -108,9 +115,12 @@ private:
   const InputRequest& request_;
   PreparedInput& out_;
   JoinedPhases phases_;
-  Context context_;          ///< the caller's, with phases_
-  std::int64_t firstId_ = 0; ///< the point that the id 0 in a cell names
-  std::int64_t idCount_ = 0; ///< ids in cells that are a point's: 0 to idCount_ - 1
+  Context context_;                          ///< the caller's, with phases_
+  std::int64_t firstId_ = 0;                 ///< the point that the id 0 in a cell names
+  std::int64_t idCount_ = 0;                 ///< ids in cells that are a point's: 0 to idCount_ - 1
+  std::unique_ptr<HeightSurface> surface_;   ///< until lines are laid on it
+  std::vector<unsigned char> withoutHeight_; ///< marks of the points that are not part of it
+  std::vector<unsigned char> areOnSurface_;  ///< of each id in the chains, if lines were laid
 };
 
 } // namespace ahd

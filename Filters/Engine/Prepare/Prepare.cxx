@@ -29,6 +29,14 @@ bool isProjected(const InputRequest& request)
   return request.fitPlane || request.projection;
 }
 
+/// Points, to the chains?
+bool mayAddToLines(const InputRequest& request)
+{
+  return segmentsOf(request) > 0 &&
+    (request.maximumSegmentLength > 0.0 ||
+      (request.linesOnSurface && request.heights != SourceHeights::Own));
+}
+
 /// Lines of no id not counted.
 std::size_t segmentsToSplit(const InputRequest& request)
 {
@@ -169,7 +177,7 @@ std::int64_t PreparedInput::cellOf(std::size_t chain) const
 
 Status PreparedInput::endCrossingsAtVertices(Triangulation& triangulation, const Context& context)
 {
-  if (crossings_.empty() || triangulation.report().duplicates == 0)
+  if (crossings_.size() + addedToLines_ == 0 || triangulation.report().duplicates == 0)
   {
     return Status::Ok; // each point stands for itself
   }
@@ -182,25 +190,51 @@ Status PreparedInput::endCrossingsAtVertices(Triangulation& triangulation, const
     [&]
     {
       Ticker ticker(context.progress, Phase::Outputs, 0);
+      const auto firstAdded = static_cast<Index>(inputCount_ + sourceCount_);
+      const auto refer = [&](auto& points, Index limit)
+      {
+        for (Index& point : points)
+        {
+          const Index vertex = triangulation.vertexOf(point);
+          const Index other = vertex == kNoIndex ? point : triangulation.pointOf(vertex);
+          point = other < limit ? other : point;
+        }
+      };
       const bool all = ticker.ask() &&
         inChunks(0, crossings_.size(), ticker,
           [&](std::size_t begin, std::size_t end)
           {
             for (std::size_t k = begin; k < end; ++k)
             {
-              for (Index& point : crossings_[k].ends)
-              {
-                const Index vertex = triangulation.vertexOf(point);
-                point = vertex == kNoIndex ? point : triangulation.pointOf(vertex);
-              }
+              refer(crossings_[k].ends, kNoIndex);
+            }
+          }) &&
+        inChunks(surfacePlaces_.size() - addedToLines_, surfacePlaces_.size(), ticker,
+          [&](std::size_t begin, std::size_t end)
+          {
+            for (std::size_t k = begin; k < end; ++k)
+            {
+              refer(surfacePlaces_[k].corners, firstAdded); // interpolated in order
             }
           });
       if (all)
       {
-        findCrossingHeights();
+        findAddedHeights();
       }
       return all;
     });
+}
+
+/// Of points added to lines, then of crossings.
+void PreparedInput::findAddedHeights()
+{
+  std::size_t id = inputCount_ + sourceCount_;
+  for (std::size_t k = sourceCount_; k < surfacePlaces_.size(); ++k)
+  {
+    places_[3 * id++ + 2] = interpolate(
+      surfacePlaces_[k], [this](Index origin) { return places_[3 * std::size_t(origin) + 2]; });
+  }
+  findCrossingHeights();
 }
 
 void PreparedInput::findCrossingHeights()
@@ -246,13 +280,19 @@ std::size_t segmentsOf(const InputRequest& request)
 
 std::size_t preparationMemoryEstimate(const InputRequest& request)
 {
-  const std::size_t segments = segmentsOf(request);
+  const std::size_t segments = segmentsOf(request), chains = chainsOf(request);
   const bool closes = request.closedLinesAreLoops && segments > 0;
-  const std::size_t toClose = (segments + 3 * chainsOf(request)) * sizeof(std::int64_t) +
+  const std::size_t toClose = (segments + 3 * chains) * sizeof(std::int64_t) +
     closingMemoryEstimate(request.lines.cells);
   return preparedMemoryEstimate(request) + (closes ? toClose : 0) +
     (request.split && segments > 0 ? splitMemoryEstimate(segmentsToSplit(request), 0) : 0) +
-    (request.heightsFromSurface ? CurveOrder::mostBytes(request.sourcePoints.count) : 0) +
+    (request.heights != SourceHeights::Own ? CurveOrder::mostBytes(request.sourcePoints.count) +
+          request.sourcePoints.count * sizeof(Index)
+                                           : 0) +
+    (request.heights == SourceHeights::Mixed
+        ? (segments + chains) * sizeof(std::int64_t) + expectedPoints(request)
+        : 0) +
+    (mayAddToLines(request) ? (segments + chains) * (sizeof(std::int64_t) + 1) : 0) +
     (request.fitPlane && !request.plane ? planeFitMemoryEstimate(expectedPoints(request)) : 0) +
     (request.tolerance > 0.0 ? expectedPoints(request) * (kBytesToMerge - kBytesMerged) : 0);
 }
@@ -265,7 +305,9 @@ std::size_t preparedMemoryEstimate(const InputRequest& request)
   const bool areCopied = count > request.points.count || isProjected(request);
   return (areCopied ? count * (3 * sizeof(double) + 1) : 0) +
     (segments > 0 ? (segments + chains) * sizeof(std::int64_t) : 0) +
-    (request.heightsFromSurface ? request.sourcePoints.count * sizeof(SurfacePlace) : 0) +
+    (request.heights != SourceHeights::Own || mayAddToLines(request)
+        ? request.sourcePoints.count * sizeof(SurfacePlace)
+        : 0) +
     (request.tolerance > 0.0 ? count * kBytesMerged : 0);
 }
 

@@ -54,6 +54,16 @@ public:
   virtual bool project(const PointView& points, double* to, const Context& context) const = 0;
 };
 
+/// Where points of a source have their heights from.
+enum class SourceHeights
+{
+  Own,
+  FromSurface, ///< the triangulation of the input alone; those outside of it keep their own
+  /// Those without a height: the triangulation of the input and of the source's other points,
+  /// constrained by the segments between these; outside of it they have none.
+  Mixed
+};
+
 /// The input of a triangulation, and the steps to take before it.
 struct InputRequest
 {
@@ -70,9 +80,13 @@ struct InputRequest
   /// Where the source's own points are added, and it has no line and no polygon: they are a line.
   bool pointsAreLine = false;
 
-  /// Points of the source take their height from the triangulation of the input alone, by linear
-  /// interpolation; those outside of it keep their own.
-  bool heightsFromSurface = false;
+  SourceHeights heights = SourceHeights::Own; ///< those of a surface by linear interpolation
+  bool zeroIsMissing = false; ///< a height of 0 is none, as NaN is: for SourceHeights::Mixed
+  /// Points are added where segments of the source cross edges of the surface that heights come
+  /// from, but for those between two points with heights of their own (LineLayer.h).
+  bool linesOnSurface = false;
+  /// Points are added to divide longer segments, or pieces of them, in the plane; 0: none is.
+  double maximumSegmentLength = 0.0;
   /// Of input points at one place: the one whose height that surface has.
   Representative representative = Representative::FirstId;
   bool meanHeights = false; ///< it has the mean of all instead
@@ -88,7 +102,7 @@ struct InputRequest
   /// those with finite x, y; of z the finite ones. None: low is above high.
   const std::array<Vector3, 2>* bounds = nullptr;
   bool split = false; ///< split constraints where they cross
-  /// A run that must split in more places (splitAtCrossings()) ends with Status::TooManyCrossings
+  /// A run that must split, or divide, segments in more places ends with Status::TooManyCrossings
   /// before it does.
   std::size_t mostCrossings = std::size_t(-1);
 
@@ -119,11 +133,12 @@ double interpolate(const CrossingOrigin& crossing, const Value& value)
   return 0.5 * along(0) + 0.5 * along(1);
 }
 
-/// The position of a source point on the triangulation of the input: its corners and weights.
+/// The origin of a point that was laid on a surface, or added to a line: the points that it lies
+/// between, and their weights.
 struct SurfacePlace
 {
   std::array<Index, 3> corners = {};
-  std::array<double, 3> weights = {}; ///< from 0, with the sum 1; all 0: it lies outside
+  std::array<double, 3> weights = {}; ///< from 0, with the sum 1; all 0: it keeps its own
 
   bool isInside() const { return weights[0] + weights[1] + weights[2] > 0.0; }
 };
@@ -206,7 +221,7 @@ struct SourceBounds
 };
 
 /// Points and constraints, ready to be triangulated, each with its id in the output: the input's,
-/// then the source's, the eight bounding points, the crossings.
+/// then the source's, those added to lines, the eight bounding points, the crossings.
 ///
 /// Borrows the input's places while they are triangulated in x, y and nothing is added; otherwise
 /// has a copy in double precision.
@@ -235,9 +250,12 @@ public:
   /// Points that tolerance merged into others, by ascending id. They are left out of points().
   const std::vector<MergedPoint>& merged() const { return merged_; }
 
-  /// One for each point of the source, with InputRequest::heightsFromSurface; else empty.
+  /// One for each point of the source, then for each that was added to lines: to be interpolated in
+  /// this order, as one may lie between others. Empty if there are none of either.
   const std::vector<SurfacePlace>& surfacePlaces() const { return surfacePlaces_; }
-  /// How many of them lie outside.
+  /// The number of points added to lines; they follow those of the source.
+  std::size_t addedToLines() const { return addedToLines_; }
+  /// How many points of the source have no height because they lie outside the surface.
   std::size_t outsideCount() const { return outside_; }
 
   /// The constraints, lines before polygons; merged points replaced by those they were merged into.
@@ -262,14 +280,15 @@ public:
   std::size_t bentCount() const { return bentCount_; }
   std::int64_t firstBentCell() const { return firstBentCell_; }
 
-  /// Refers crossings to the points that represent the vertices at the ends of their segments,
-  /// which give them their heights.
+  /// Refers crossings and points added to lines to the points that represent the vertices that
+  /// they lie between, which give them their heights.
   ///
   /// @pre a triangulation of these points
   Status endCrossingsAtVertices(Triangulation& triangulation, const Context& context);
 
 private:
   friend class Preparation; // one call of prepare()
+  void findAddedHeights();
   void findCrossingHeights();
 
   PointView points_;
@@ -281,6 +300,7 @@ private:
   Plane plane_;
   std::vector<MergedPoint> merged_;
   std::vector<SurfacePlace> surfacePlaces_;
+  std::size_t addedToLines_ = 0;
   std::size_t outside_ = 0;
   std::vector<std::int64_t> ids_;     ///< of the chains
   std::vector<std::int64_t> offsets_; ///< empty without chains
@@ -297,9 +317,9 @@ private:
 };
 
 /// Prepares the input: reads it, moves it into the plane, compares its places with those of the
-/// source, takes heights from the surface, merges near points, adds bounding points, reads the
-/// constraints and splits them, in this order. The phases are Phase::Merge and, from the
-/// constraints on, Phase::Split.
+/// source, takes heights from the surface, merges near points, reads the constraints, adds points
+/// to them, adds bounding points and splits the constraints, in this order. The phases are
+/// Phase::Merge and, from the constraints on, Phase::Split.
 ///
 /// @pre `out` is new
 /// @param out undefined unless the result is Ok
@@ -345,8 +365,8 @@ bool arePointsLine(const InputRequest& request);
 std::size_t segmentsOf(const InputRequest& request);
 
 /// Upper bound of the bytes that prepare() takes, except for crossings, unknown before
-/// (splitMemoryEstimate() has their share, most of which is returned), and for a triangulation of
-/// the input with its tables (heightsFromSurface), which it returns.
+/// (splitMemoryEstimate() has their share, most of which is returned), points added to lines, and
+/// the surface that heights come from, which it returns.
 std::size_t preparationMemoryEstimate(const InputRequest& request);
 
 /// The part of it that remains during the triangulation.

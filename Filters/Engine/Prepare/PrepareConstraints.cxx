@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The steps of a preparation that deal with constraints.
+#include "LineLayer.h"
 #include "Preparation.h"
 
 #include <limits>
@@ -60,7 +61,8 @@ bool Preparation::readPoints(Ticker& ticker)
 bool Preparation::countFlatChains(Ticker& ticker)
 {
   const bool areOwn = out_.sourceCount_ > 0 && !request_.idsAreOfInput &&
-    !request_.heightsFromSurface;
+    (request_.heights == SourceHeights::Own ||
+      (request_.heights == SourceHeights::Mixed && !request_.zeroIsMissing));
   const auto isFlat = [this](std::int64_t id)
   {
     const auto i = static_cast<std::size_t>(id);
@@ -191,6 +193,43 @@ bool Preparation::closeLines(Ticker& ticker)
   return all;
 }
 
+/// On the surface that heights come from, and where they are to be divided.
+Status Preparation::layLines()
+{
+  const bool laysThem = request_.linesOnSurface && surface_;
+  if (!out_.hasConstraints() || !(laysThem || request_.maximumSegmentLength > 0.0))
+  {
+    return Status::Ok;
+  }
+  LinesToLay lines;
+  lines.points = out_.points_;
+  lines.chains = out_.constraints();
+  lines.surface = laysThem ? surface_.get() : nullptr;
+  lines.firstOfSource = out_.inputCount_;
+  lines.isOnSurface = [this](Index from, Index to) { return isOnSurface(from, to); };
+  lines.maximumLength = request_.maximumSegmentLength;
+  lines.mostPoints = request_.mostCrossings;
+  Ticker ticker(&phases_, Phase::Split, request_.split ? 0 : out_.ids_.size());
+  LineLayer layer(lines, ticker);
+  const Status status = layer.run();
+  if (status != Status::Ok || (!layer.origins.empty() && !copy(Phase::Split)))
+  {
+    return status != Status::Ok ? status : Status::Cancelled;
+  }
+  out_.addedToLines_ = layer.origins.size();
+  out_.ids_ = std::move(layer.ids);
+  out_.offsets_ = std::move(layer.offsets);
+  areOnSurface_ = std::move(layer.areOnSurface);
+  out_.surfacePlaces_.resize(out_.sourceCount_);
+  out_.surfacePlaces_.insert(out_.surfacePlaces_.end(), layer.origins.begin(), layer.origins.end());
+  double* to = out_.addedToLines_ > 0 ? add(out_.addedToLines_) : nullptr;
+  for (const Vector3& place : layer.places)
+  {
+    to = std::copy(place.begin(), place.end(), to);
+  }
+  return Status::Ok;
+}
+
 Status Preparation::split()
 {
   if (!out_.hasConstraints() || !request_.split)
@@ -199,7 +238,7 @@ Status Preparation::split()
   }
   SplitConstraints split;
   const Status status = splitAtCrossings(
-    out_.points_, out_.constraints(), &phases_, split, request_.mostCrossings);
+    out_.points_, out_.constraints(), &phases_, split, request_.mostCrossings - out_.addedToLines_);
   if (status != Status::Ok || split.rounds == 0)
   {
     return status;
@@ -227,10 +266,12 @@ void Preparation::addCrossings(const std::vector<CrossingPoint>& points)
   out_.crossings_.reserve(points.size());
   for (const CrossingPoint& p : points)
   {
-    const auto a = endsOf(p.lower.chain, p.lower.segment);
-    const auto b = endsOf(p.upper.chain, p.upper.segment);
-    out_.crossings_.push_back(
-      { { { a[0], a[1], b[0], b[1] } }, { { p.lower.along, p.upper.along } } });
+    // Where one of the two has its heights from a surface, and the other its own, these count.
+    const bool areAlike = isOnSurface(p.lower) == isOnSurface(p.upper);
+    const CrossingPoint::Side &lower = areAlike || !isOnSurface(p.lower) ? p.lower : p.upper,
+                              &upper = areAlike || !isOnSurface(p.upper) ? p.upper : p.lower;
+    const auto a = endsOf(lower.chain, lower.segment), b = endsOf(upper.chain, upper.segment);
+    out_.crossings_.push_back({ { { a[0], a[1], b[0], b[1] } }, { { lower.along, upper.along } } });
     if (out_.crossingCells_.size() < kMostCrossingCells)
     {
       out_.crossingCells_.push_back({ { out_.cellOf(p.chainB), out_.cellOf(p.chainA) } });
@@ -240,6 +281,17 @@ void Preparation::addCrossings(const std::vector<CrossingPoint>& points)
     *place++ = 0.0;
   }
   out_.findCrossingHeights();
+}
+
+/// Of one of two pieces that cross.
+bool Preparation::isOnSurface(const CrossingPoint::Side& side) const
+{
+  if (!areOnSurface_.empty())
+  {
+    return areOnSurface_[static_cast<std::size_t>(out_.offsets_[side.chain]) + side.segment] != 0;
+  }
+  const auto ends = endsOf(side.chain, side.segment);
+  return isOnSurface(ends[0], ends[1]);
 }
 
 /// The points at the ends of a segment, the lexicographically smaller end first. @pre there is

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Heights: the step of a preparation that moves the points of the source to the surface of the
-// input, and the heights of the surface itself.
+// Heights: the step of a preparation that moves points of the source to a surface, and the heights
+// of the result.
 #include "Preparation.h"
 
 #include "../Core/Border.h"
 #include "../Core/Loops.h"
 #include "../Order/CurveOrder.h"
-#include "../Surface/Means.h"
 #include "../Triangulate.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 namespace ahd
 {
@@ -38,157 +37,151 @@ private:
   Progress& caller_;
 };
 
-/// The weights of the corners of a triangle at a place in it: barycentric coordinates.
-std::array<double, 3> weightsAt(const std::array<Point, 3>& corners, const Point& place)
+/// The places of a cell's ids.
+std::pair<std::size_t, std::size_t> rangeOf(const CellsView& cells, std::size_t cell)
 {
-  std::array<double, 3> x, y, weights;
-  double largest = 0.0;
-  for (std::size_t k = 0; k < 3; ++k)
+  const auto offset = [&cells](std::size_t k)
   {
-    x[k] = corners[k].x / 2 - place.x / 2; // halves: the difference may be too large
-    y[k] = corners[k].y / 2 - place.y / 2;
-    largest = std::max({ largest, std::abs(x[k]), std::abs(y[k]) });
-  }
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    x[k] = std::ldexp(x[k], -exponent);
-    y[k] = std::ldexp(y[k], -exponent);
-  }
-  double sum = 0.0;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
-    weights[k] = std::max(0.0, x[a] * y[b] - x[b] * y[a]);
-    sum += weights[k];
-  }
-  for (double& weight : weights)
-  {
-    weight = sum > 0.0 ? weight / sum : 1.0 / 3; // 0: too flat a triangle for doubles
-  }
-  return weights;
+    return static_cast<std::size_t>(
+      cells.offsets64 ? cells.offsets64[k] : std::int64_t(cells.offsets32[k]));
+  };
+  return { offset(cell), offset(cell + 1) };
 }
 
-/// The fraction of the way from `a` to `b`, along the axis on which they are farther apart.
-double fractionAt(const Point& a, const Point& b, const Point& place)
+std::int64_t idIn(const CellsView& cells, std::size_t k)
 {
-  const double x = b.x / 2 - a.x / 2, y = b.y / 2 - a.y / 2;
-  const double fraction = std::abs(x) > std::abs(y) ? (place.x / 2 - a.x / 2) / x
-                                                    : (place.y / 2 - a.y / 2) / y;
-  return fraction > 0.0 ? std::min(fraction, 1.0) : 0.0; // NaN: denormal numbers
+  return cells.offsets64 ? cells.ids64[k] : std::int64_t(cells.ids32[k]);
 }
-
-/// Finds places on a surface.
-class SurfacePlacer
-{
-public:
-  SurfacePlacer(const Triangulation& surface, Ticker& ticker)
-    : surface_(surface)
-    , ticker_(ticker)
-  {
-  }
-
-  /// Polls for cancellation.
-  SurfacePlace operator()(const Point& place)
-  {
-    const Location at = surface_.locate(place, hint_, ticker_);
-    const HalfEdge h = at.halfEdge;
-    hint_ = h == kNoHalfEdge ? hint_ : h / 3;
-    switch (at.kind)
-    {
-      case Location::OnVertex:
-        return { { { pointAt(h), 0, 0 } }, { { 1.0, 0.0, 0.0 } } };
-      case Location::OnEdge:
-        return onEdge(h, place);
-      case Location::InTriangle:
-        return inTriangle(h, place);
-      default:
-        return {};
-    }
-  }
-
-private:
-  Index pointAt(HalfEdge h) const { return surface_.pointOf(surface_.origin(h)); }
-  Point originOf(HalfEdge h) const { return surface_.at(surface_.origin(h)); }
-
-  SurfacePlace onEdge(HalfEdge h, const Point& place) const
-  {
-    const HalfEdge next = nextInTriangle(h);
-    const double t = fractionAt(originOf(h), originOf(next), place);
-    return { { { pointAt(h), pointAt(next), 0 } }, { { 1.0 - t, t, 0.0 } } };
-  }
-
-  SurfacePlace inTriangle(HalfEdge h, const Point& place) const
-  {
-    const HalfEdge second = nextInTriangle(h), third = nextInTriangle(second);
-    return { { { pointAt(h), pointAt(second), pointAt(third) } },
-      weightsAt({ { originOf(h), originOf(second), originOf(third) } }, place) };
-  }
-
-  const Triangulation& surface_;
-  Ticker& ticker_;
-  std::size_t hint_ = 0; ///< points of the source follow each other along lines
-};
-
-/// The heights of the surface's vertices, by the ids of the points that stand for them.
-class Heights
-{
-public:
-  Heights(const PointView& points, const std::vector<Mean>& means)
-    : points_(points)
-    , means_(means)
-  {
-  }
-
-  double operator()(Index id) const
-  {
-    const auto mean = std::lower_bound(
-      means_.begin(), means_.end(), id, [](const Mean& m, Index i) { return m.id < i; });
-    return mean != means_.end() && mean->id == id ? mean->position[2] : points_.doubles[3 * id + 2];
-  }
-
-private:
-  PointView points_;
-  const std::vector<Mean>& means_;
-};
 
 } // namespace
 
+bool Preparation::isMissing(std::size_t sourcePoint) const
+{
+  const double z = request_.sourcePoints.z(sourcePoint);
+  return request_.heights == SourceHeights::Mixed &&
+    (std::isnan(z) || (request_.zeroIsMissing && z == 0.0));
+}
+
+/// Is it a point of the source with a height of its own, where others have none?
+bool Preparation::keepsHeight(std::size_t id) const
+{
+  return request_.heights == SourceHeights::Mixed && id >= out_.inputCount_ &&
+    id < out_.inputCount_ + out_.sourceCount_ && !isMissing(id - out_.inputCount_);
+}
+
+/// Does the segment between two points have its heights from a surface?
+bool Preparation::isOnSurface(Index from, Index to) const
+{
+  return request_.heights != SourceHeights::Own && !(keepsHeight(from) && keepsHeight(to));
+}
+
 Status Preparation::takeHeights()
 {
-  if (!request_.heightsFromSurface || out_.sourceCount_ == 0)
+  if (request_.heights == SourceHeights::Own || out_.sourceCount_ == 0)
   {
     return Status::Ok;
   }
   phases_.beginPhase(Phase::Merge);
+  surface_ = std::make_unique<HeightSurface>();
+  const Status status = triangulateSurface();
+  return status == Status::Ok ? layOn() : status;
+}
+
+/// Of the points that have heights.
+Status Preparation::triangulateSurface()
+{
   WithinMerge progress(phases_);
   const Context context = { &progress, context_.executor };
   PointView own = out_.points_;
-  own.count = out_.inputCount_;
+  if (request_.heights == SourceHeights::Mixed)
+  {
+    withoutHeight_.reserve(own.count);
+    for (std::size_t i = 0; i < own.count; ++i)
+    {
+      withoutHeight_.push_back(i < out_.inputCount_ ? own.skipped(i) : !keepsHeight(i));
+    }
+    own.skip = withoutHeight_.data();
+    own.skipMask = 0xFF;
+  }
+  else
+  {
+    own.count = out_.inputCount_;
+  }
   Options options;
   options.representative = request_.representative;
   Workspace workspace;
-  Triangulation surface;
-  std::vector<Mean> means;
+  Triangulation& surface = surface_->triangulation;
   Status status = triangulate(own, options, workspace, context, surface);
+  status = status == Status::Ok ? constrainSurface(context) : status;
   status = status == Status::Ok ? surface.makeNeighbors(context) : status;
-  if (status == Status::Ok && request_.meanHeights)
-  {
-    status = findMeans(surface, own.count, own, context, means);
-  }
-  return status == Status::Ok ? layOn(surface, means) : status;
+  return status == Status::Ok && request_.meanHeights
+    ? findMeans(surface, own.count, own, context, surface_->means)
+    : status;
 }
 
-/// Finds the points of the source on the surface, and moves them there.
-Status Preparation::layOn(const Triangulation& surface, const std::vector<Mean>& means)
+/// By the segments between points of the source that keep their heights; of two that cross, the
+/// later one is left out.
+Status Preparation::constrainSurface(const Context& context)
+{
+  if (request_.heights != SourceHeights::Mixed || segmentsOf(request_) == 0)
+  {
+    return Status::Ok;
+  }
+  Ticker ticker(context.progress, Phase::Constrain, 0);
+  std::vector<std::int64_t> ids, offsets = { 0 };
+  ids.reserve(segmentsOf(request_) + request_.polygons.cells);
+  offsets.reserve(request_.lines.cells + request_.polygons.cells + 1);
+  const auto idOf = [this](std::int64_t id)
+  {
+    const auto point = out_.inputCount_ + static_cast<std::size_t>(id);
+    return id >= 0 && keepsHeight(point) ? static_cast<std::int64_t>(point) : -1;
+  };
+  for (std::size_t i = 0; arePointsLine(request_) && i < out_.sourceCount_; ++i)
+  {
+    ids.push_back(idOf(static_cast<std::int64_t>(i)));
+  }
+  if (arePointsLine(request_))
+  {
+    offsets.push_back(static_cast<std::int64_t>(ids.size()));
+  }
+  for (const CellsView* cells : { &request_.lines, &request_.polygons })
+  {
+    for (std::size_t cell = 0; cell < cells->cells; ++cell)
+    {
+      const auto [begin, end] = rangeOf(*cells, cell);
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        ids.push_back(idOf(idIn(*cells, k)));
+        if (!ticker.step())
+        {
+          return Status::Cancelled;
+        }
+      }
+      if (cells == &request_.polygons && begin < end)
+      {
+        ids.push_back(ids[ids.size() - (end - begin)]);
+      }
+      offsets.push_back(static_cast<std::int64_t>(ids.size()));
+    }
+  }
+  ConstraintView lines;
+  lines.ids = ids.data();
+  lines.offsets = offsets.data();
+  lines.chains = lines.lines = offsets.size() - 1;
+  Triangulation& surface = surface_->triangulation;
+  return constrain(std::move(surface), lines, FillRule::Orientation, context, surface);
+}
+
+/// Finds the points of the source on the surface, and moves there those that have no height.
+Status Preparation::layOn()
 {
   std::vector<SurfacePlace>& places = out_.surfacePlaces_;
   places.resize(out_.sourceCount_);
+  surface_->triangles.resize(places.size());
   double* const to = out_.places_.data() + 3 * out_.inputCount_;
-  const Heights heights(out_.points_, means);
   Ticker ticker(&phases_, Phase::Merge, 0, context_.executor);
   const PointView ofSource(to, places.size(), 3);
+  const auto heightAt = [this](Index id) { return surface_->heightAt(id, out_.points_); };
   // Each search starts at the result of the one before.
   CurveOrder order;
   const auto lay = [&](std::size_t count)
@@ -198,12 +191,17 @@ Status Preparation::layOn(const Triangulation& surface, const std::vector<Mean>&
       [&](std::size_t task, Ticker& own)
       {
         const Share share(count, task, tasks);
-        SurfacePlacer placer(surface, own);
+        SurfacePlacer placer(surface_->triangulation, own);
         for (std::size_t k = share.begin; k < share.end && own.step(); ++k)
         {
           const std::size_t i = order[k];
-          places[i] = placer(ofSource[i]);
-          to[3 * i + 2] = places[i].isInside() ? interpolate(places[i], heights) : to[3 * i + 2];
+          const SurfacePlace place = placer(ofSource[i]);
+          surface_->triangles[i] = static_cast<Index>(placer.triangle());
+          if (!keepsHeight(out_.inputCount_ + i))
+          {
+            places[i] = place;
+            to[3 * i + 2] = places[i].isInside() ? interpolate(places[i], heightAt) : to[3 * i + 2];
+          }
         }
         return own.ask();
       });
@@ -214,8 +212,10 @@ Status Preparation::layOn(const Triangulation& surface, const std::vector<Mean>&
     const std::size_t end = std::min(places.size(), begin + CurveOrder::kBlock);
     all = order.build(ofSource, begin, end, ticker) && lay(end - begin);
   }
-  out_.outside_ = static_cast<std::size_t>(std::count_if(
-    places.begin(), places.end(), [](const SurfacePlace& place) { return !place.isInside(); }));
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    out_.outside_ += std::size_t(!places[i].isInside() && !keepsHeight(out_.inputCount_ + i));
+  }
   return all ? Status::Ok : Status::Cancelled;
 }
 
@@ -250,6 +250,12 @@ Status findHeights(const PreparedInput& points, Triangulation& triangulation, bo
       for (const Mean& mean : found)
       {
         heights[mean.id] = mean.position[2];
+      }
+      std::size_t added = points.inputCount() + points.sourceCount();
+      for (std::size_t k = points.sourceCount(); k < points.surfacePlaces().size(); ++k)
+      {
+        heights[added++] = interpolate(
+          points.surfacePlaces()[k], [&](Index origin) { return heights[origin]; });
       }
       std::size_t crossing = points.firstCrossing();
       for (const CrossingOrigin& origin : points.crossings())

@@ -100,7 +100,7 @@ class PointData:
             made.SetTuple(first + i, [float(value) for value in row])
 
     def _interpolate(self, made):
-        """At source points laid on the surface of the input, then at crossings, which lie between others."""
+        """At source points laid on a surface and points added to lines, then at crossings."""
         first = self.count - self.job.count("split_crossings")
         inside = self._inside()
         if inside is None and first == self.count:
@@ -121,7 +121,6 @@ class PointData:
             self._put(made, first, values[first:])
 
     def _inside(self):
-        """The points of the source that are laid on the surface; None if none are."""
-        if not self.job.get("source_heights") or not self.source_count:
-            return None
-        return self.job.array("surface_weights", "float64").reshape(-1, 3).sum(1) > 0.0
+        """Of the points of the source, then of those added to lines: do they lie between others? None if none do."""
+        weights = self.job.array("surface_weights", "float64").reshape(-1, 3)
+        return weights.sum(1) > 0.0 if len(weights) else None

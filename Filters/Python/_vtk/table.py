@@ -23,10 +23,28 @@ DELAUNAY = (
     ("SourceHeights", "enum", 0,
      "The heights of the source's points. Own: their own z. Two-dimensional lines, as in most maps, lie at z = 0 "
      'and pull the surface down to it. From Surface: height and point data are interpolated linearly on the '
-     'surface of the input; points outside it keep their own z, and a warning counts them. Not used with Source '
-     'Mode Point ids. Default: OWN. From Surface triangulates twice: first the input alone, then with the '
-     'source.',
-     0, 1, ('Own', 'FromSurface')),
+     'surface of the input; points outside it keep their own z, and a warning counts them. Mixed: points with a '
+     'z keep it; those without (NaN, see Zero Is Missing) take theirs from the surface of the input and of the '
+     'lines between points with z. Not used with Source Mode Point ids. Default: OWN. From Surface and Mixed '
+     'triangulate twice: first without the points that take their heights from there, then all.',
+     0, 2, ('Own', 'FromSurface', 'Mixed')),
+    ("ZeroIsMissing", "bool", False,
+     'With Source Heights Mixed, points of the source with z = 0 have no height, too. For files and readers that '
+     'give 0 where there is none. Off by default.',
+     None, None, ()),
+    ("SourceLinesOnSurface", "bool", True,
+     'With Source Heights From Surface or Mixed, add a point where a line of the source crosses an edge of the '
+     'surface that its heights come from, so that the line follows the terrain. If off, it runs straight from '
+     'point to point, through the air and below ground. With Mixed, a line between two points with z is '
+     'straight. On by default. A place is the exact crossing, rounded once, as with CrossingMode SPLIT; lines '
+     'with a point at one place share it.',
+     None, None, ()),
+    ("MaximumSegmentLength", "double", 0.0,
+     'Divide segments of the source that are longer than this, in the plane of the triangulation, into equal '
+     'parts, by points that are added. 0: none is divided. Default 0, at least 0. After points were added on the '
+     'surface (SourceLinesOnSurface), each piece is divided by itself. The new points take heights and data as '
+     'the line does: from the surface, or linearly between the ends of the piece.',
+     0.0, 1e+299, ()),
     ("ClosedLines", "enum", 0,
      'How lines of the source that end where they begin are treated. Lines: as edges of the surface, like other '
      'lines; right for contours. Loops: as outlines that bound the surface, like polygons; right for coastlines, '
@@ -281,6 +299,7 @@ DELAUNAY_CONSTANTS = {
     "SOURCE_COORDINATES": 1,
     "OWN": 0,
     "FROM_SURFACE": 1,
+    "MIXED": 2,
     "LINES": 0,
     "LOOPS": 1,
     "ORIENTATION": 0,
@@ -332,6 +351,9 @@ DELAUNAY_MEASURES = (
     ("NumberOfCrossings", 0,
      'Segments of the source left out because they cross an earlier one, in the last run; with Crossing Mode '
      'Split, the points added where segments cross. The field data array Crossings lists the lines.'),
+    ("NumberOfAddedLinePoints", 0,
+     'Points added to lines of the source, in the last run, where they cross edges of the surface (Source Lines '
+     'On Surface) or are divided (Maximum Segment Length).'),
     ("NumberOfBentConstraints", 0,
      'With Crossing Mode Split: segments of the source that bend by rounding, in the last run, because they pass '
      'through a point that is not exactly on them.'),
@@ -383,6 +405,7 @@ DELAUNAY_TEXTS = {
          ("points beyond the limit", "NumberOfPointsBeyondLimit"),
          ("edges of the source", "NumberOfConstraintEdges"),
          ("crossings in the source", "NumberOfCrossings"),
+         ("points added to lines", "NumberOfAddedLinePoints"),
          ("bent segments", "NumberOfBentConstraints"),
          ("segments left out", "NumberOfConstraintsLeftOut"),
          ("outlines that bound nothing", "NumberOfUnfilledLoops"),
@@ -414,6 +437,7 @@ DELAUNAY_COUNTS = (
     "NumberOfPointsBeyondLimit",
     "NumberOfConstraintEdges",
     "NumberOfCrossings",
+    "NumberOfAddedLinePoints",
     "NumberOfBentConstraints",
     "NumberOfConstraintsLeftOut",
     "NumberOfUnfilledLoops",
@@ -432,6 +456,7 @@ OF_ALL_RUNS = (
 )
 # What has no GetXMinValue and GetXMaxValue.
 WITHOUT_ENDS = (
+    "MaximumSegmentLength",
     "MaximumEdgeLength",
 )
 # Measures, and the counts and measures of the job that each is the sum of.
@@ -446,6 +471,7 @@ OF_JOB = {
     "NumberOfPointsBeyondLimit": ('beyond_limit',),
     "NumberOfConstraintEdges": ('constraint_edges',),
     "NumberOfCrossings": ('crossings',),
+    "NumberOfAddedLinePoints": ('points_added_to_lines',),
     "NumberOfBentConstraints": ('bent_segments',),
     "NumberOfConstraintsLeftOut": ('segments_without_vertex', 'segments_crossing'),
     "NumberOfUnfilledLoops": ('unfilled_loops',),
@@ -465,6 +491,9 @@ OLD_NAMES = {
 # A job's setting and the one of the class that it is.
 SAME = {
     "cell_ids": "SourceMode",
+    "zero_is_missing": "ZeroIsMissing",
+    "lines_on_surface": "SourceLinesOnSurface",
+    "maximum_segment_length": "MaximumSegmentLength",
     "closed_lines": "ClosedLines",
     "points_as_line": "PointsAsLine",
     "fill_rule": "FillRule",
@@ -495,6 +524,9 @@ SAME = {
 USED_UP = {
     "SourceMode": 0,
     "SourceHeights": 0,
+    "ZeroIsMissing": 0,
+    "SourceLinesOnSurface": 1,
+    "MaximumSegmentLength": 0.0,
     "PointsAsLine": 0,
     "CrossingMode": 0,
     "MaximumEdgeLength": 0.0,

@@ -315,6 +315,7 @@ static void test_source(void)
   ARE_DOUBLES(job, "points", 0, 0, 0, 8, 0, 8, 8, 8, 16, 0, 8, 8, 2, 2, 0, 6, 2, 0, 4, 6, 0);
   CHECK_OK(job, ahd_set_int(job, "closed_lines", 1));
   CHECK_OK(job, ahd_set_int(job, "source_heights", AHD_HEIGHTS_FROM_SURFACE));
+  CHECK_OK(job, ahd_set_int(job, "lines_on_surface", 0));
   CHECK_OK(job, ahd_run(job));
   ARE(job, "triangles", 4, 5, 6);
   ARE_DOUBLES(job, "points", 0, 0, 0, 8, 0, 8, 8, 8, 16, 0, 8, 8, 2, 2, 4, 6, 2, 8, 4, 6, 10);
@@ -327,6 +328,16 @@ static void test_source(void)
   }
   CHECK_OK(job, ahd_interpolate(job, AHD_AT_SURFACE, values, 1));
   CHECK(values[4] == 4 && values[5] == 8 && values[6] == 10);
+  CHECK_OK(job, ahd_set_int(job, "lines_on_surface", 1)); /* a diagonal is crossed once */
+  CHECK_OK(job, ahd_run(job));
+  CHECK(ahd_counted(job, "points_added_to_lines") == 1 && ahd_counted(job, "added_points") == 4);
+  CHECK_OK(job, ahd_set_double(job, "maximum_segment_length", 1.0));
+  CHECK_OK(job, ahd_run(job));
+  {
+    uint64_t weights = 0;
+    free(ahd_read_doubles(job, "surface_weights", &weights));
+    CHECK((int64_t)weights == 3 * (3 + ahd_counted(job, "points_added_to_lines")) && weights > 36);
+  }
   ahd_job_free(job);
 }
 

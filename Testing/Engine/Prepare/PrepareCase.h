@@ -124,6 +124,11 @@ inline std::string bytesOf(const PreparedInput& prepared)
     add(crossing.ends.data(), sizeof crossing.ends);
     add(crossing.along.data(), sizeof crossing.along);
   }
+  for (const SurfacePlace& place : prepared.surfacePlaces())
+  {
+    add(place.corners.data(), sizeof place.corners);
+    add(place.weights.data(), sizeof place.weights);
+  }
   for (const MergedPoint& merged : prepared.merged())
   {
     add(&merged.id, sizeof merged.id);

@@ -22,7 +22,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 PreparedInput laid(PrepareCase& given)
 {
-  given.request.heightsFromSurface = true;
+  given.request.heights = SourceHeights::FromSurface;
   PreparedInput out;
   EXPECT_EQ(prepare(given.request, Context(), out), Status::Ok);
   return out;
@@ -213,7 +213,7 @@ TEST(PrepareHeights, TakeFewStepsInAnyOrder)
       points->push_back({ { 0.5 * far, -far, 0.0 } });
     }
     PrepareCase given(input, source);
-    given.request.heightsFromSurface = true;
+    given.request.heights = SourceHeights::FromSurface;
     Listener counter;
     PreparedInput out;
     ASSERT_EQ(prepare(given.request, Context{ &counter, nullptr }, out), Status::Ok);

@@ -126,7 +126,7 @@ TEST(PrepareSourceBounds, CountLinesAtZeroOffTheTerrain)
   const Cells lines = { { 0, 1 }, { 0, 1, 2 }, { 2, 3 }, { 1 }, {}, { 1, -1 } };
   PrepareCase given(kTerrain, kShore, lines, { { 0, 1, 2 }, { 1, 2, 3 } });
   EXPECT_EQ(boundsOf(given).chainsOffTerrain(), 3u);
-  given.request.heightsFromSurface = true;
+  given.request.heights = SourceHeights::FromSurface;
   EXPECT_EQ(boundsOf(given).chainsOffTerrain(), 0u) << "they have no heights of their own";
   std::vector<Xyz> other = kTerrain;
   for (Xyz& p : other)

@@ -28,7 +28,11 @@ void setAll(InputRequest& request, std::size_t variant)
   request.split = variant % 5 != 0;
   request.idsAreOfInput = variant % 7 == 5;
   request.closedLinesAreLoops = variant % 2 == 1;
-  request.heightsFromSurface = variant % 4 == 2;
+  request.heights = variant == 6 ? SourceHeights::Mixed
+    : variant % 4 == 2           ? SourceHeights::FromSurface
+                                 : SourceHeights::Own;
+  request.linesOnSurface = variant != 2;
+  request.maximumSegmentLength = variant % 3 == 0 ? 0.1 : 0.0;
   request.meanHeights = variant == 6;
 }
 
@@ -172,8 +176,9 @@ TEST(PrepareTrouble, ItTakesNoMoreMemoryThanEstimated)
   ManyRequests(20000).forAll(
     [](InputRequest request)
     {
-      request.split = false;              // the crossings are unknown
-      request.heightsFromSurface = false; // whose triangulation is estimated as such
+      request.split = false;                // the crossings are unknown
+      request.maximumSegmentLength = 0.0;   // the same
+      request.heights = SourceHeights::Own; // whose triangulation is estimated as such
       const std::size_t before = account.held;
       account.peak = before;
       PreparedInput out;

@@ -374,7 +374,7 @@ TEST(SplitCrossings, WhatTheyNeedBeyondTheLimitIsRefused)
   filter->SetMemoryLimit(1500);
   EXPECT_EQ(filter.Run()->GetNumberOfPoints(), 0);
   ASSERT_EQ(filter.Said->Errors.size(), 1u);
-  EXPECT_NE(filter.Said->Errors[0].find("cross in more than "), std::string::npos)
+  EXPECT_NE(filter.Said->Errors[0].find("need points in more than "), std::string::npos)
     << filter.Said->Errors[0];
   EXPECT_NE(filter.Said->Errors[0].find("MemoryLimit allows 1.53 MB"), std::string::npos);
   EXPECT_GT(filter->GetMemoryEstimate(), 1500) << "what is named as needed is more than there was";

@@ -241,6 +241,64 @@ TEST(SourceKinds, HeightsAndDataComeFromTheSurface)
   EXPECT_TRUE(contains(onlyWarning(filter), "1 of 3 points of the source lie outside"));
 }
 
+TEST(SourceKinds, LinesFollowTheTerrain)
+{
+  std::vector<Xyz> hills = squareLattice(10);
+  vtkNew<vtkDoubleArray> copy; // of z
+  copy->SetName("copy");
+  for (Xyz& p : hills)
+  {
+    p[2] = std::sin(1.7 * p[0]) * std::cos(0.9 * p[1]);
+    copy->InsertNextValue(p[2]);
+  }
+  auto cloud = makeCloud(hills);
+  cloud->GetPointData()->AddArray(copy);
+  vtkNew<Filter> surface;
+  surface->SetInputData(cloud);
+  surface->Update();
+  MapFilter filter(makeSource({ { 0, 1 } }, {}, { { 0.5, 0.25, 0 }, { 8.25, 7.75, 0 } }));
+  filter->SetInputData(cloud);
+  filter->SetSourceHeightsToFromSurface();
+  filter->Update();
+  const vtkIdType added = filter->GetNumberOfAddedLinePoints();
+  EXPECT_GE(added, 8 + 7 + 7) << "rows, columns and diagonals of the lattice";
+  EXPECT_EQ(filter->GetNumberOfAddedPoints(), 2 + added);
+  vtkPolyData* out = filter->GetOutput();
+  ASSERT_EQ(out->GetNumberOfPoints(), 102 + added);
+  for (vtkIdType i = 100; i < out->GetNumberOfPoints(); ++i)
+  {
+    const double z = out->GetPoint(i)[2];
+    EXPECT_NEAR(out->GetPointData()->GetArray("copy")->GetComponent(i, 0), z, 1e-12);
+  }
+  filter->SourceLinesOnSurfaceOff();
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 102);
+  filter->SetMaximumSegmentLength(1.0);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfAddedLinePoints(), 10);
+}
+
+TEST(SourceKinds, ContoursKeepTheirHeightsAndARoadTakesThem)
+{
+  const double none = std::nan("");
+  const std::vector<Xyz> lines = { { 2.5, 1.5, 9 }, { 6.5, 8.5, 9 }, { 1.5, 6.5, none },
+    { 8.5, 2.25, none } };
+  MapFilter filter(makeSource({ { 0, 1 }, { 2, 3 } }, {}, lines)); // over points with z = 0
+  filter->SetSourceHeightsToMixed();
+  filter->Update();
+  EXPECT_TRUE(filter.Said->Warnings.empty()) << "nothing is left out";
+  vtkPolyData* out = filter->GetOutput();
+  EXPECT_EQ(out->GetPoint(100)[2], 9.0);
+  EXPECT_EQ(out->GetPoint(101)[2], 9.0);
+  double highest = 0.0;
+  for (vtkIdType i = 102; i < out->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_TRUE(std::isfinite(out->GetPoint(i)[2])) << i;
+    highest = std::max(highest, out->GetPoint(i)[2]);
+  }
+  EXPECT_NEAR(highest, 9.0, 1e-12) << "where the road crosses the contour";
+}
+
 TEST(SourceKinds, OnAFittedPlaneTheHeightIsAboveIt)
 {
   std::vector<Xyz> wall = squareLattice(10); // x, z; y is the height

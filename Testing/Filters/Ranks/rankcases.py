@@ -448,4 +448,8 @@ def known_gathered_cases(ranks):
         "points as line": (with_points_alone(pieces(few, ranks)), dict(coordinates, PointsAsLine=True), "PointsAsLine"),
         "from surface": (with_values(with_own_points(pieces(few, ranks))), dict(coordinates, SourceHeights=1),
                          "SourceHeights"),
+        "mixed heights": (with_values(with_own_points(pieces(few, ranks))),
+                          dict(coordinates, SourceHeights=2, ZeroIsMissing=True), "SourceHeights Mixed"),
+        "short segments": (with_values(with_own_points(pieces(few, ranks))),
+                           dict(coordinates, MaximumSegmentLength=0.05), "MaximumSegmentLength"),
     }

@@ -192,12 +192,46 @@ class ConstraintTest(KeywordTest):
         np.testing.assert_array_equal(made.points, np.concatenate((points, places)))
         self.assertEqual(made.triangles.tolist(), [[4, 5, 6]])
         self.assertEqual(made.counts["added_points"], 3)
-        on = delaunay(points, source_points=places, lines=[0, 1, 2], source_heights="surface")
+        on = delaunay(
+            points, source_points=places, lines=[0, 1, 2], source_heights="surface", lines_on_surface=False)
         self.assertEqual(on.points[4:].tolist(), [[2, 1, 2], [6, 1, 6], [4, 7, 4]])
         values = on.interpolate(np.array([0, 800, 800, 0, -1, -1, -1]))
         self.assertEqual(values.tolist(), [0, 800, 800, 0, 200, 600, 400])
         with self.assertWarnsRegex(DelaunayWarning, "1 of 3 source points lie outside"):
             delaunay(points, source_points=places * [2, 1, 1], source_heights="surface")
+
+    def test_lines_on_the_surface(self):
+        points = np.array([[0, 0, 0], [8, 0, 0], [8, 8, 0], [0, 8, 0], [4, 4, 8]], float)
+        ends = np.array([[1, 3, np.nan], [7, 3, np.nan]])
+        made = delaunay(points, source_points=ends, segments=[(0, 1)], source_heights="surface")
+        line = made.points[5:]
+        self.assertEqual(made.counts["points_added_to_lines"], 2)
+        self.assertEqual(line.tolist(), [[1, 3, 2], [7, 3, 2], [3, 3, 6], [5, 3, 6]])
+        np.testing.assert_array_equal(made.interpolate(np.r_[points, ends * 1]), made.points)
+        straight = delaunay(
+            points, source_points=ends, segments=[(0, 1)], source_heights="surface", lines_on_surface=False)
+        self.assertEqual(straight.points[5:].tolist(), [[1, 3, 2], [7, 3, 2]])
+        parts = delaunay(
+            points, source_points=ends, segments=[(0, 1)], source_heights="surface", maximum_segment_length=1)
+        self.assertEqual(sorted(parts.points[5:].tolist()), [
+            [x, 3, z] for x, z in ((1, 2), (2, 4), (3, 6), (4, 6), (5, 6), (6, 4), (7, 2))])
+        own = delaunay(points, segments=[(0, 2)], maximum_segment_length=6)
+        self.assertEqual(own.points[5:].tolist(), [[4, 4, 0]])
+
+    def test_mixed_heights(self):
+        points = np.array([[0, 0, 0], [8, 0, 0], [8, 8, 0], [0, 8, 0]], float)
+        source = np.array([[4, 1, 6], [4, 7, 6], [1, 4, np.nan], [7, 4, np.nan], [4, 4.5, 6], [9, 9, np.nan]], float)
+        lines = [[0, 1], [2, 3]]
+        with self.assertWarnsRegex(DelaunayWarning, "1 of 6 source points lie outside"):
+            made = delaunay(points, source_points=source, segments=lines, source_heights="mixed")
+        np.testing.assert_array_equal(made.points[4:6], source[:2])
+        self.assertEqual(made.points[6:9, 2].tolist(), [1.5, 1.5, 6])
+        self.assertTrue(np.isnan(made.points[9, 2]))
+        self.assertIn([4, 4, 6], made.points[10:].tolist())
+        source[4, 2] = 0
+        with self.assertWarnsRegex(DelaunayWarning, "1 of 6 source points lie outside"):
+            made = delaunay(points, source_points=source, segments=lines, source_heights="mixed", zero_is_missing=True)
+        self.assertEqual(made.points[8].tolist(), [4, 4.5, 6])
 
     def test_regions(self):
         points = corners(5)

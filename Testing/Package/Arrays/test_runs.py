@@ -138,7 +138,7 @@ class OutputTest(KeywordTest):
     def test_too_many_crossings(self):
         points = cloud(45, 4000)
         pairs = np.arange(4000).reshape(-1, 2)
-        with self.assertRaisesRegex(MemoryError, "cross in more than [0-9]+ places"):
+        with self.assertRaisesRegex(MemoryError, "need points in more than [0-9]+ places"):
             delaunay(points, segments=pairs, crossings="split", memory_limit=30 << 20)
         with self.assertWarns(DelaunayWarning):
             delaunay(points, segments=pairs, memory_limit=30 << 20)

@@ -186,22 +186,6 @@ def fitted_plane_with_split_and_means():
                         SourceMode=1, CrossingMode=1)
 
 
-@case
-def heights_from_the_surface():
-    return full(), dict(SourceData=lines_and_loops(), SourceMode=1, SourceHeights=1, CrossingMode=1)
-
-
-@case
-def heights_from_the_surface_outside_it():
-    given = source([(5, 5, 100), (5, 20, 100), (2, 3, 100)], lines=[(0, 1), (0, 2)])
-    return cloud(square()), dict(SourceData=given, SourceMode=1, SourceHeights=1)
-
-
-@case
-def heights_from_the_surface_of_a_plane():
-    return full(), dict(SourceData=lines_and_loops(), SourceMode=1, SourceHeights=1, ProjectionPlaneMode=2)
-
-
 def turned(name="RotateX", *angle):
     made = vtk("vtkCommonTransforms").vtkTransform()
     getattr(made, name)(*(angle or (20.0,)))

@@ -7,6 +7,7 @@ import json
 import re
 
 import cases
+import heightcases
 import sourcecases
 from classtests import (BACKEND, FOLDER, TABLE, WRITES, Case, Filter, Hash, Said, core, model, run_tests, values_of,
                         write_rows)
@@ -102,7 +103,7 @@ def outputs_of(algorithm):
 class CasesTest(Case):
     def test_all(self):
         found = {}
-        for name, make in {**cases.CASES, **sourcecases.CASES}.items():
+        for name, make in {**cases.CASES, **heightcases.CASES, **sourcecases.CASES}.items():
             try:
                 given = make()
             except AttributeError as error:  # cvista leaves out some classes

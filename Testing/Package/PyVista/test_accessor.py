@@ -362,7 +362,8 @@ class DelaunayTest(unittest.TestCase):
         mesh = mesh_of(numpy.r_[scattered(60), scattered(9) + (0, 0, 5)])
         for other, name, value, own in (
                 ("max_edge_length", "maximum_edge_length", 60.0, 60.0), ("tolerance", "tol", 0.05, 0.05),
-                ("source_heights", "heights", "surface", "surface"), ("rim", "rim", "hull", "convex_hull"),
+                ("source_heights", "heights", "surface", "surface"), ("source_heights", "heights", "mixed", "mixed"),
+                ("maximum_segment_length", "max_segment_length", 9.0, 9.0), ("rim", "rim", "hull", "convex_hull"),
                 ("rim", "rim", "auto", "automatic"), ("duplicates", "duplicates", "lowest", "lowest_z"),
                 ("duplicates", "duplicates", "highest", "highest_z"), ("duplicates", "duplicates", "mean", "mean_z"),
                 ("plane", "plane", "fit", "best_fit"), ("plane", "plane", "auto", "automatic")):
