@@ -51,7 +51,8 @@ def new_arrays(numbers):
         points[7, 1] = np.nan
     made = {"points": points, "skip": None, "source_points": None, "line_ids": None, "line_offsets": None,
             "loop_ids": None, "loop_offsets": None, "matrix": np.array(np.eye(4)[[1, 2, 0, 3]]),
-            "voronoi_polygon": numbers.random((3, 2)), "surface": None, "surface_edges": None}  # fmt: skip
+            "voronoi_polygon": numbers.random((3, 2)), "surface": None, "surface_edges": None, "cells": None,
+            "cell_offsets": None, "cell_groups": None}  # fmt: skip
     if count and numbers.random() < 0.3:
         made.update(surface_of(points, numbers))
         return made
@@ -59,6 +60,9 @@ def new_arrays(numbers):
         made["skip"] = (numbers.random(count) < 0.2).astype(np.uint8)
     if numbers.random() < 0.5:
         made["source_points"] = numbers.random((own, 3))
+    if count and numbers.random() < 0.5:
+        made["cells"] = numbers.integers(0, count, (7, 3))
+        made["cell_groups"] = numbers.choice([0.0, 1.0, np.nan], 7) if numbers.random() < 0.5 else None
     for kind in ("line", "loop"):
         if count and numbers.random() < 0.5:
             made[kind + "_ids"] = numbers.integers(0, min(count, own + 1), 8)
@@ -95,7 +99,15 @@ QUESTIONS = {
                                        if not n.startswith("seconds")])],
 }  # fmt: skip
 QUESTIONS.update((name, lambda job, name=name: [job.array(name)]) for name in library.names(library.OUTPUT_ARRAYS)
-                 if not name.startswith("weight"))  # fmt: skip
+                 if not name.startswith(("weight", "outline")))  # fmt: skip
+
+
+def outlined(job):
+    job.outline()
+    return [job.array(name) for name in library.names(library.OUTPUT_ARRAYS) if name.startswith("outline")]
+
+
+QUESTIONS["outline"] = outlined
 
 
 def sampled(job, method, outside):
@@ -170,6 +182,7 @@ class NamesTest(unittest.TestCase):
 
     NAMES = {name for kind in (library.INT_SETTINGS, library.DOUBLE_SETTINGS, library.INPUT_ARRAYS)
              for name in library.names(kind)}
+    OF_OUTLINES = {"cells", "cell_offsets", "cell_groups"}  # Engine/Outline/ has tests of its own
     NOT_OF_RESULTS = {"progress_delay", "memory_limit", "other_memory", "other_memory_per_point", "want_samples"}
 
     def test_here(self):
@@ -181,7 +194,7 @@ class NamesTest(unittest.TestCase):
         for path in (("Fuzz", "JobJudge.cxx"), ("Support", "Run", "JobRun.cxx")):
             with open(os.path.join(ROOT, "Testing", *path), encoding="utf-8") as file:
                 given.update(re.findall(r'"(\w+)"', file.read()))
-        self.assertEqual(self.NAMES - given, self.NOT_OF_RESULTS)
+        self.assertEqual(self.NAMES - given, self.NOT_OF_RESULTS | self.OF_OUTLINES)
 
 
 if __name__ == "__main__":
