@@ -19,7 +19,7 @@ import numpy as np
 from ._interface import *  # noqa: F403
 from ._interface import (
     AT_CROSSINGS, AT_SURFACE, BAD_ARRAY, BUSY, COUNTS, DOUBLE_SETTINGS, ERRORS, FIXED_DTYPES, INT_SETTINGS, MEASURES,
-    NO_JOB, OK, OUTSIDE_NO_VALUE, SAMPLE_LINEAR, SAMPLE_NEAREST, TYPES, Array, BadInput, C, Drawing, Fault,
+    NO_JOB, OK, OUTSIDE_NO_VALUE, SAMPLE_LINEAR, TYPES, Array, BadInput, C, Drawing, Fault,
     NotAvailable, OutlineReport, Places, Sampled, array_type, described, names, status_name,
 )  # fmt: skip
 from ._calls import AT_WORK as _at_work
@@ -33,7 +33,6 @@ ProgressFunction = Callable[[int, float], Any]
 ProjectionFunction = Callable[[np.ndarray], Any]
 Number = Union[int, float]
 SOON = 0.05  #: seconds of a call before it notices Ctrl-C: most end sooner, and are spared the callbacks
-FEW = 1 << 12  #: so many points, places or numbers take milliseconds
 FEW_BYTES = 1 << 20  #: results of so many need not be counted before there is memory for them
 NO_MASK = np.empty(0, np.uint8)
 
@@ -62,11 +61,10 @@ class Job:
         self._raised: Optional[BaseException] = None
         self.wasCancelled = False  # perhaps the next call will hear of it
         self._arrays: Dict[str, Any] = {}  # owners of the memory that the library reads
-        self._given: Dict[str, Array] = {}  # how they lie there
         self._progress: Optional[ProgressFunction] = None
         self._projection: Optional[ProjectionFunction] = None
         self._hears: Optional[float] = None  # of progress, after so many seconds
-        self._how = (SAMPLE_LINEAR, OUTSIDE_NO_VALUE)  # method and outside, as they are set
+        self._how: Optional[Tuple[int, int]] = (SAMPLE_LINEAR, OUTSIDE_NO_VALUE)  # that are set, if they are known
         self._forget()
 
     def _forget(self) -> None:
@@ -113,11 +111,8 @@ class Job:
             if call.thread is threading.current_thread():
                 call.job._raised = error
 
-    def _call(
-        self, function: Any, *arguments: Any, arrays: Sequence[np.ndarray] = (), is_short: bool = False
-    ) -> None:
-        """A call that may take long. `arrays`: those of callers whose addresses are among the arguments. `is_short`:
-        it takes milliseconds, and Ctrl-C can wait for its end: no callback is needed."""
+    def _call(self, function: Any, *arguments: Any, arrays: Sequence[np.ndarray] = ()) -> None:
+        """A call that may take long. `arrays`: those of callers whose addresses are among the arguments."""
         handle = self._handle
         thread = threading.current_thread()
         call = Call(self, thread, [anchor(array) for array in arrays])
@@ -130,8 +125,7 @@ class Job:
                     if _at_work.setdefault(handle.address, call) is not call:
                         raise _busy()
                     end_with_the_program()
-                    if not is_short or self._progress is not None:
-                        self._listen(thread)
+                    self._listen(thread)
                     status = function(handle, *arguments)
                 finally:
                     if _at_work.get(handle.address) is call:
@@ -183,7 +177,6 @@ class Job:
             self._forget()
             self._check(C.ahd_set_array(self._handle, name.encode(), None))
             self._arrays.pop(name, None)
-            self._given.pop(name, None)
             return
         given = given or described(name, array)
         self._forget()
@@ -194,7 +187,6 @@ class Job:
         if self._arrays[name] is None:
             del self._arrays[name]
         self._check(status)
-        self._given[name] = given
 
     def set_projection(self, projection: Optional[ProjectionFunction]) -> None:
         """For PLANE_CALLBACK: a function that is given (k, 3) float64, points, and changes them in place to
@@ -224,8 +216,7 @@ class Job:
     def run(self) -> None:
         """Triangulates. Discards the previous result."""
         self._forget()
-        given = self._given.get("points") if len(self._arrays) == 1 and self._projection is None else None
-        self._call(C.ahd_run, is_short=given is not None and given.rows <= FEW)
+        self._call(C.ahd_run)
 
     def cancel(self) -> None:
         """Ends the call that is at work, or else the next one. From any thread."""
@@ -309,8 +300,7 @@ class Job:
         if number is None or not out.flags.c_contiguous:
             raise BadInput("%s: cannot be written into this array of type %s" % (name, out.dtype.str), BAD_ARRAY)
         _check_writeable(name, out)
-        to = (name.encode(), number, out.ctypes.data, out.size)
-        self._call(C.ahd_get_array, *to, arrays=(out,), is_short=out.size <= FEW)
+        self._call(C.ahd_get_array, name.encode(), number, out.ctypes.data, out.size, arrays=(out,))
         return out
 
     def draw_order(self, xyz: np.ndarray, ranks: np.ndarray, ids: np.ndarray, levels: np.ndarray, counts: np.ndarray
@@ -352,14 +342,15 @@ class Job:
         count = len(xy)
         kinds, numbers = np.empty(count, np.int32), np.empty(4 * count, np.int64)
         ids, cells = numbers[: 3 * count].reshape(count, 3), numbers[3 * count :]
-        begin, is_short = numbers.ctypes.data, self.hasTables and count <= FEW
+        begin = numbers.ctypes.data
         out = (kinds.ctypes.data, begin, begin + 24 * count)
-        self._call(C.ahd_locate, xy.ctypes.data, count, *out, arrays=(xy,), is_short=is_short)
+        self._call(C.ahd_locate, xy.ctypes.data, count, *out, arrays=(xy,))
         self.hasTables = True
         return kinds, ids, cells
 
     def _sample_by(self, method: int, outside: int) -> None:
         if (method, outside) != self._how:
+            self._how = None  # if this is interrupted
             self.set(sample_method=method, sample_outside=outside)
             self._how = (method, outside)
 
@@ -411,8 +402,7 @@ class Job:
                 one.values, one.columns, one.out = array.ctypes.data, n, to.ctypes.data
                 one.gradients = None if slope is None else slope.ctypes.data
             marks = None if mask is NO_MASK else mask.ctypes.data
-            is_short = self.hasTables and count * numbers <= FEW and method in (SAMPLE_LINEAR, SAMPLE_NEAREST)
-            self._call(C.ahd_sample, at, arrays, len(columns), marks, arrays=(*owners, *values), is_short=is_short)
+            self._call(C.ahd_sample, at, arrays, len(columns), marks, arrays=(*owners, *values))
             return Samples(out, slopes, mask)
 
         needed = count * (8 * numbers * (3 if gradients else 1) + 1)

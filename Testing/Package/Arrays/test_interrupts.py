@@ -146,21 +146,13 @@ class InterruptTest(unittest.TestCase):
             signal.raise_signal(signal.SIGINT)
             signal.getsignal(signal.SIGINT)
 
-    def test_wherever_it_comes(self):
-        """After each call of the package: no job stays running, and the next run is unaffected."""
-        self.check_wherever_it_comes()
-
-    def test_wherever_it_comes_with_callbacks(self):
-        """The same where the library is told to report."""
-        few, library.FEW = library.FEW, 0
-        self.addCleanup(setattr, library, "FEW", few)
-        self.check_wherever_it_comes()
-
-    def check_wherever_it_comes(self):
+    def press_everywhere(self, begin, work, after):
+        """Begins with a job, presses after each call of the package in work(job), and says how often. No job stays
+        running; after(job) follows."""
         handler, tried = signal.getsignal(signal.SIGINT), 0
         while True:
             job, left = library.Job(), [tried + 1]
-            job.set_array("points", SQUARE)
+            begin(job)
 
             def press(frame, event, argument, left=left):
                 if event != "c_call" and str(frame.f_globals.get("__name__")).startswith("adaptivehilbertdelaunay"):
@@ -171,19 +163,46 @@ class InterruptTest(unittest.TestCase):
             before = sys.getprofile()
             sys.setprofile(press)
             try:
-                job.run()
+                work(job)
                 wasRaised = False
             except KeyboardInterrupt:
                 wasRaised = True
             finally:
                 sys.setprofile(before)
             if left[0] > 0:
-                break
+                return tried
             tried += 1
             self.assertTrue(wasRaised, tried)
             self.assertEqual((library._at_work, signal.getsignal(signal.SIGINT)), ({}, handler), tried)
+            after(job, tried)
+
+    def test_wherever_it_comes(self):
+        """The next run is unaffected."""
+        def run_again(job, tried):
             job.run()
-            self.assertEqual(job.count("inserted"), 6)
+            self.assertEqual(job.count("inserted"), 6, tried)
+
+        tried = self.press_everywhere(lambda job: job.set_array("points", SQUARE), lambda job: job.run(), run_again)
+        self.assertGreater(tried, 25)
+
+    def test_wherever_it_comes_while_values_are_found(self):
+        """The next values are those of their own method."""
+        places, values = SQUARE * 0.9 + 0.02, SQUARE[:, 0] + SQUARE[:, 1] ** 2
+
+        def begin(job):
+            job.set_array("points", SQUARE)
+            job.run()
+
+        def sample(job, method=library.SAMPLE_LINEAR):
+            return job.sample(places, [values], method=method).values[0].tolist()
+
+        job = library.Job()
+        begin(job)
+        expected = sample(job)
+        self.assertNotEqual(sample(job, library.SAMPLE_NEAREST), expected)
+        tried = self.press_everywhere(
+            begin, lambda job: sample(job, library.SAMPLE_NEAREST),
+            lambda job, tried: self.assertEqual(sample(job), expected, tried))
         self.assertGreater(tried, 25)
 
     def test_calls_within_calls(self):

@@ -2,6 +2,7 @@
 """Arguments of progress functions, for every request: known phases, and fractions that only rise, nearly to 1.
 """
 
+import sys
 import unittest
 import warnings
 
@@ -44,6 +45,25 @@ class ProgressTest(unittest.TestCase):
                 made.interpolate(POINTS[:, 2], places, method, outside=outside,
                                  progress=lambda *now: told.append(now))  # fmt: skip
                 self.check(told, ("outputs",))
+
+    def test_none_is_called_for_a_function_that_was_taken_away(self):
+        """A callback takes the GIL, and about a microsecond."""
+        calls, job = [], _library.Job()
+
+        def see(frame, event, _):
+            calls.extend([1] if event == "call" and frame.f_code.co_name == "_on_progress" else [])
+
+        before = sys.getprofile()
+        self.addCleanup(sys.setprofile, before)
+        job.set_array("points", POINTS[:50])
+        for progress, isCalled in ((None, False), (lambda *_: None, True), (None, False)):
+            calls.clear()
+            job.set_progress(progress)
+            sys.setprofile(see)
+            job.run()
+            job.array("triangles")
+            sys.setprofile(before)
+            self.assertEqual(len(calls) > 0, isCalled)
 
 
 if __name__ == "__main__":
