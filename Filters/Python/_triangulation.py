@@ -412,6 +412,9 @@ class Triangulation(Measured):
         )
         if job is not self._job:
             library.give_back(job)
+        if corners is not None:  # of those in such polygons the last is kept
+            for name in [name for name in self._cached if name.startswith("voronoi [")]:
+                del self._cached[name]
         return made
 
     def locate(self, places: Any) -> Location:

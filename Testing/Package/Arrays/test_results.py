@@ -5,6 +5,7 @@ import copy
 import pickle
 import unittest
 import warnings
+import weakref
 from fractions import Fraction
 
 import numpy as np
@@ -170,6 +171,9 @@ class DelaunayTest(unittest.TestCase):
             for cell, area in zip(cells, areas):
                 self.assertEqual(len(cell) > 0, area > 0)
                 self.assertAlmostEqual(area_of(cell), float(area), 12)
+        first = weakref.ref(made.voronoi([[0, 0], [1, 1]]))
+        last = weakref.ref(made.voronoi([[0, 0], [1, 2]]))
+        self.assertEqual((first(), last() is None), (None, False), "as many would be kept as there are polygons")
         with self.assertRaisesRegex(ValueError, "^clip is not convex, but it must be two opposite corners of a box"):
             made.voronoi([[0, 0], [4, 0], [1, 1], [0, 4]])
 
