@@ -42,11 +42,11 @@ def corners_in(text):
 
     def number(word):
         try:
-            return float(word)
+            return float(word) if re.fullmatch("[-+.0-9eE]+", word) else math.nan  # as C++ reads them: no 1_000
         except ValueError:
             return math.nan
 
-    numbers = [number(word) for word in re.split(r"[\s,;]+", text) if word]
+    numbers = [number(word) for word in re.split(r"[\s,;]+", text, flags=re.ASCII) if word]
     return numpy.array(numbers + [math.nan] * (len(numbers) % 2), numpy.float64).reshape(-1, 2)
 
 

@@ -201,6 +201,15 @@ class PipelineTest(Case):
         self.assertSaid(said, errors=1)
         self.assertGreater(algorithm.GetOutput().GetNumberOfCells(), 0)
 
+    def test_corners_of_a_polygon_are_decimal_numbers(self):
+        for word, is_one in (("0", True), ("-.5", True), ("+1.e0", True), ("1_0", False), ("\u0661", False),
+                             ("one", False), ("1e", False), ("1e999", False), ("nan", False), ("0 9", False),
+                             ("0\u00a09 0", False)):
+            with self.subTest(word=word):
+                _, said = run(cloud(scattered(20)), GenerateVoronoi=True, VoronoiClip=2,
+                              VoronoiPolygon="-9 -9;9 %s,\t3 30" % word)
+                self.assertSaid(said, errors=0 if is_one else 1)
+
     def test_every_number_at_its_ends(self):
         """An execution works with every value that a setter accepts or clamps to."""
         ends = {"int": 2**31 - 1, "id": 2**63 - 1, "int64": 2**63 - 1, "double": 1e299}
