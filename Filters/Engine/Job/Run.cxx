@@ -92,7 +92,10 @@ Status Run::check(std::size_t limit, std::size_t held)
   {
     workspace_.release();
   }
-  const std::size_t available = limit > 0 ? 0 : availableMemoryFor(report_.estimate);
+  const bool mayGrow = mayAsk() || settings_.options.keepBoxes;
+  const std::size_t available = limit > 0 ? 0
+    : mayGrow                             ? availableMemory()
+                                          : availableMemoryFor(report_.estimate);
   report_.allowed = limit > 0
     ? limit
     : available + std::min(held + workspace_.bytes(), ~available); // no overflow
@@ -131,6 +134,13 @@ void Run::limitCounts()
     report_.crossings = 0;
     report_.points = points;
   }
+}
+
+/// May there be requests for memory while it runs?
+bool Run::mayAsk() const
+{
+  return settings_.tolerance > 0.0 || report_.segments > 0 || counts_.surface.count > 0 ||
+    counts_.sourcePoints.count > 0;
 }
 
 /// Calls a function that requests memory while it runs, up to all that is available. `asked`: of
@@ -218,9 +228,7 @@ Status Run::prepare(const Open& open, RunResult& made)
   request.mostCrossings = report_.mostCrossings;
   surface_ = request.surface;
   const auto work = [&] { return ahd::prepare(request, context_, made.points); };
-  const bool mayAsk = settings_.tolerance > 0.0 || report_.segments > 0 || surface_.count > 0 ||
-    request.sourcePoints.count > 0;
-  const Status status = mayAsk ? withAsking(report_.askedToSplit, work) : work();
+  const Status status = mayAsk() ? withAsking(report_.askedToSplit, work) : work();
   if (status == Status::TooManyCrossings)
   {
     report_.crossings = report_.mostCrossings + 1;

@@ -128,6 +128,7 @@ private:
   Status end(Status status);
   Status withAsking(std::size_t& asked, const std::function<Status()>& call);
   void limitCounts();
+  bool mayAsk() const;
   Status prepare(const Open& open, RunResult& made);
   Status triangulate(RunResult& made);
   Status makeVoronoi(const Lend& lend, RunResult& made);
