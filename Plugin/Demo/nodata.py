@@ -8,12 +8,18 @@ from pointfiles import InputError, thousands
 FEWEST = 3  # points of one z that make it look so
 
 
+def written(number):
+    """In the fewest digits that are read as the same number."""
+    return "%d" % number if float(number).is_integer() and abs(number) < 1e15 else repr(float(number))
+
+
 def without(points, number):
     """The points whose z is another number. InputError if there is none."""
-    has = points.xyz[:, 2] == number
+    z = points.xyz[:, 2]
+    has = z == number if number == number else numpy.isnan(z)
     if has.all():
-        raise InputError("--nodata %g: no point has another %s" % (number, points.names[2]))
-    told = "%s points left out, as their %s is %g" % (thousands(int(has.sum())), points.names[2], number)
+        raise InputError("--nodata %s: no point has another %s" % (written(number), points.names[2]))
+    told = "%s points left out, as their %s is %s" % (thousands(int(has.sum())), points.names[2], written(number))
     return points._replace(xyz=points.xyz[~has], notes=points.notes + [told])
 
 
@@ -26,6 +32,7 @@ def notes(points):
     for odd, (low, high) in ((0, levels[[1, -1]]), (-1, levels[[0, -2]])):
         away = max(low - levels[odd], levels[odd] - high)
         if counts[odd] >= FEWEST and away > high - low:
-            return ["%s points have a %s of %g, far from all others; --nodata %g leaves them out" % (
-                thousands(int(counts[odd])), points.names[2], levels[odd], levels[odd])]  # fmt: skip
+            number = written(levels[odd])
+            return ["%s points have a %s of %s, far from all others; --nodata %s leaves them out" % (
+                thousands(int(counts[odd])), points.names[2], number, number)]  # fmt: skip
     return []

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The demo's readers of tables and LAS files: exact coordinates, or the message that is promised."""
 
+import math
 import os
 import struct
 import sys
@@ -292,10 +293,15 @@ class NoData(FileTest):
         return self.read("x,y,depth\n" + "".join("%d,%d,%r\n" % (i, i * i, z) for i, z in enumerate(heights)))
 
     def test_a_number_that_repeats_and_lies_far_off_is_said(self):
-        for number in (-9999, -32768.0, 1e20):
-            (said,) = nodata.notes(self.points(1, 2, 3.5, number, number, number))
-            self.assertIn("3 points have a depth of %g" % number, said)
-            self.assertIn("--nodata %g" % number, said)
+        for number, word in (
+            (-9999, "-9999"), (-32768.0, "-32768"), (1e20, "1e+20"), (-9999999, "-9999999"), (-99999.99, "-99999.99"),
+            (-3.4028234663852886e38, "-3.4028234663852886e+38"),
+        ):  # fmt: skip
+            given = self.points(1, 2, 3.5, number, number, number)
+            (said,) = nodata.notes(given)
+            self.assertIn("3 points have a depth of %s, far" % word, said)
+            self.assertIn("--nodata %s leaves" % word, said)
+            self.assertEqual(len(nodata.without(given, float(word)).xyz), 3)
         for heights in ((1, 2, 3, -9999, -9999), (1, 2, 9, -4, -4, -4), (5, 5, 5, 7, 7, 7), (0, 0, 0)):
             self.assertEqual(nodata.notes(self.points(*heights)), [], heights)
 
@@ -305,6 +311,8 @@ class NoData(FileTest):
         self.assertEqual(left.xyz[:, 2].tolist(), [1, 2, -9998])
         self.assertEqual(left.notes[:-1], given.notes)
         self.assertIn("2 points left out, as their depth is -9999", left.notes[-1])
+        without_number = given._replace(xyz=numpy.where(given.xyz == -9999, numpy.nan, given.xyz))
+        self.assertEqual(nodata.without(without_number, math.nan).xyz[:, 2].tolist(), [1, 2, -9998])
         with self.assertRaisesRegex(InputError, "no point has another depth"):
             nodata.without(self.points(7, 7), 7.0)
 
