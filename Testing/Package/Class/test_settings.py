@@ -78,7 +78,7 @@ class SettingsTest(Case):
         self.assertEqual(self.found["answers"], self.expected["answers"])
 
     def test_the_source_of_points(self):
-        self.assertEqual(len(self.expected["source settings"]), 4)
+        self.assertEqual(len(self.expected["source settings"]), 6)
         for key in ("settings", "constants", "answers"):
             self.assertEqual(self.found["source " + key], self.expected["source " + key])
         self.assertEqual(
@@ -164,13 +164,13 @@ class SettingsTest(Case):
             info = algorithm.GetInputPortInformation(port)
             names[port, merge] = [required.Get(info, i) for i in range(required.Length(info))]
         self.assertEqual(names, {
-            (0, False): ["vtkPointSet"], (0, True): ["vtkCompositeDataSet", "vtkPointSet"],
+            (0, False): ["vtkPointSet", "vtkTable"], (0, True): ["vtkCompositeDataSet", "vtkPointSet", "vtkTable"],
             (1, False): ["vtkPolyData", "vtkCompositeDataSet"]})
 
     def test_another_input_is_refused_by_the_pipeline(self):
         algorithm = Filter()
         said = Said(algorithm)
-        algorithm.SetInputDataObject(vtk("vtkCommonDataModel").vtkTable())
+        algorithm.SetInputDataObject(vtk("vtkCommonDataModel").vtkImageData())
         algorithm.Update()
         self.assertEqual(len(said.pipeline), 1)
         self.assertIn("vtkPointSet", said.pipeline[0])
