@@ -395,7 +395,8 @@ class Sampled(Made):
             rows = made.reshape(len(made), -1)
             with self._locked():
                 self._engine().interpolate(rows.view(np.float64))
-            bounding = slice(len(given), len(rows) - self._counts["split_crossings"])
+            first = len(given) + self._counts["points_added_to_lines"]
+            bounding = slice(first, len(rows) - self._counts["split_crossings"])
             for column in ofZ:
                 rows[:, column] = self.points[:, 2]
                 rows[bounding, column] = np.nan
