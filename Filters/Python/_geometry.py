@@ -74,6 +74,8 @@ class _Reader:
         """A geometry, a ring or a sequence of these; None is an empty geometry, as in tables and in GeoJSON."""
         if given is None or getattr(given, "is_empty", None) is True:  # shapely 1.8 cannot show an empty point
             return
+        if _has_measure(given):
+            raise ValueError("%s has measures (M), which are no z: give shapely.force_2d() of it" % where)
         found = getattr(given, "__geo_interface__", given)
         if isinstance(found, Mapping):
             self._take_geometry(where, found)
@@ -94,12 +96,7 @@ class _Reader:
     def _take_geometry(self, where: str, geometry: Mapping[str, Any]) -> None:
         kind = geometry.get("type")
         if kind in _MEMBERS:
-            members = geometry.get(_MEMBERS[kind])
-            if isinstance(members, Mapping) or members is None:
-                self.take(where, members)
-            else:
-                for k, member in enumerate(members):
-                    self.take("%s[%d]" % (where, k), member)
+            self.take(where, geometry.get(_MEMBERS[kind]))
             return
         readers: Dict[Any, Tuple[Callable[[str, Any], Any], int]] = {
             "Point": (lambda name, at: self._add(_positions(name, [at])), 0),
@@ -117,6 +114,8 @@ class _Reader:
 
     def _each(self, read: Callable[[str, Any], Any], name: str, coordinates: Any, depth: int) -> None:
         """Reads what lies so deep in nested sequences; empty ones are nothing."""
+        if not hasattr(coordinates, "__len__") and coordinates is not None:
+            raise ValueError("%s: its coordinates are of type %s" % (name, type(coordinates).__name__))
         if coordinates is None or len(coordinates) == 0:
             return
         if depth == 0:
@@ -147,6 +146,12 @@ class _Reader:
         self.parts.append(places)
         self.begins.append(begin)
         return np.arange(begin, self.count)
+
+
+def _has_measure(given: Any) -> bool:
+    """Has a geometry of shapely, or one of a table, an M? Without a z it comes third, as a z does."""
+    found = getattr(given, "has_m", False)
+    return bool(found.any()) if hasattr(found, "any") else found is True
 
 
 def _are_positions(members: Any) -> bool:

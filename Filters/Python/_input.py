@@ -58,7 +58,7 @@ _UNITS = {"": 1, **{unit + end: base**k for k, unit in enumerate("KMGT", 1) for 
 
 def bytes_of(value: Any) -> Any:
     """The number of a text such as '2 GB' or '1.5 GiB'; anything else as it is."""
-    found = re.fullmatch(r"\s*(\d+\.?\d*)\s*([A-Za-z]*)\s*", value) if isinstance(value, str) else None
+    found = re.fullmatch(r"\s*(\d{1,30}(?:\.\d*)?)\s*([A-Za-z]*)\s*", value) if isinstance(value, str) else None
     unit = None if found is None else _UNITS.get(found[2].upper())
     return value if found is None or unit is None else int(float(found[1]) * unit)
 

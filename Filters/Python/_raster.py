@@ -161,7 +161,9 @@ def table_of(given: Any, names: str) -> Any:
     columns = getattr(given, "columns", None)
     if columns is None:
         columns = getattr(getattr(given, "dtype", None), "names", None)
-    found = {} if columns is None else {str(name).lower(): name for name in columns}
+    columns = [] if columns is None else list(columns)
+    found = {str(name).lower(): name for name in columns}
+    found.update((name, name) for name in names if name in columns)  # the small ones where there are both
     if not {"x", "y"} <= set(found):
         return given
     return np.stack([unmasked("column " + name, given[found[name]]) for name in names if name in found], axis=-1)

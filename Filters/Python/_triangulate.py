@@ -27,7 +27,7 @@ def _constrained(
             raise ValueError("constraints bring points of their own: give either these or %s" % name)
     made = constraints_of(constraints)
     if not len(made.points):
-        return None, {}, settings
+        return None, {}, {**settings, "source_heights": "own", "points_as_line": False}
     if made.points.shape[1] == 2:
         settings = {**settings, "source_heights": "surface"}
     return made.source(isInSpace), {"lines": made.lines, "loops": made.loops}, settings

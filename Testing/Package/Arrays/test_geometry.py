@@ -28,10 +28,10 @@ def collection(*geometries):
 
 
 class Shows:
-    """Has a geometry."""
+    """Has a geometry, and perhaps measures, as shapely's."""
 
-    def __init__(self, geometry):
-        self.__geo_interface__ = geometry
+    def __init__(self, geometry, has_m=False):
+        self.__geo_interface__, self.has_m = geometry, has_m
 
 
 def area(made):
@@ -100,6 +100,8 @@ class GeometryTest(KeywordTest):
             made = delaunay(POINTS, constraints=empty)
             np.testing.assert_array_equal(made.triangles, wanted.triangles, repr(empty))
             self.assertEqual(made.counts["source_points"], 0)
+        for setting in ({"source_heights": "surface"}, {"points_as_line": True}):
+            np.testing.assert_array_equal(delaunay(POINTS, constraints=[], **setting).triangles, wanted.triangles)
 
     def test_polygons_beside_in_and_over_each_other(self):
         """As documented: all rings count alike, and one that comes twice counts once."""
@@ -188,6 +190,10 @@ WRONG = (
     (ValueError, polygon([[0, 0, 1], [1, 1], [2, 0]]), "constraints, a Polygon: its points .* of unlike counts"),
     (ValueError, line([0, 0, 0, 0.5], [1] * 4), "constraints, a LineString: its points .*, 4. of type float"),
     (ValueError, np.zeros(4), "constraints: its points must all have two numbers"),
+    (ValueError, {"type": "Polygon", "coordinates": 5}, "constraints, a Polygon: its coordinates are of type int"),
+    (TypeError, {"type": "FeatureCollection", "features": 5}, "constraints must be a geometry .* not int"),
+    (ValueError, [Shows(line([0, 0, 5], [1, 1, 6]), True)], r"constraints\[0\] has measures .M., which are no z"),
+    (ValueError, Shows(line([0, 0, 5], [1, 1, 6]), np.array([False, True])), "constraints has measures"),
     (ValueError, line("ab", "cd"), "a LineString: its points .* of type <U2"),
     (TypeError, np.ma.masked_less(box(1, 1, 8), 2), "constraints: a masked array"),
 )

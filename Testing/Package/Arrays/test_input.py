@@ -146,6 +146,9 @@ class PointsTest(unittest.TestCase):
         made = delaunay(table)
         np.testing.assert_array_equal(made.points, points.astype(np.float32))
         np.testing.assert_array_equal(delaunay(table[["y", "x"]]).points, points[:, :2].astype(np.float32))
+        both = np.zeros(60, [("x", "f8"), ("y", "f8"), ("X", "i8"), ("Y", "i8")])
+        both["x"], both["y"] = points[:, 0], points[:, 1]
+        np.testing.assert_array_equal(delaunay(both).points, points[:, :2], "of two, the small one")
         places = table[["y", "x"]][:5]
         np.testing.assert_array_equal(made.interpolate(table["z"], places), table["z"][:5])
         np.testing.assert_array_equal(made.locate(places).kind, made.locate(made.points[:5, :2]).kind)

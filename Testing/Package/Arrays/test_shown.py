@@ -74,7 +74,7 @@ class SizesTest(KeywordTest):
         self.assertEqual(len(delaunay(SQUARE, memory_limit="100 MB").triangles), 6)
         with self.assertRaisesRegex(MemoryError, "allows 10 KB"):
             delaunay(cloud(1, 5000), memory_limit="10 KB")
-        for text in ("2 G", "GB", "-2 GB", "2 GB of it", "", "1e9"):
+        for text in ("2 G", "GB", "-2 GB", "2 GB of it", "", "1e9", "9" * 400 + " GB"):
             with self.assertRaisesRegex(TypeError, "memory_limit must be .* of bytes, or a text such as '2 GB'"):
                 delaunay(SQUARE, memory_limit=text)
 
