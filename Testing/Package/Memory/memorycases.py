@@ -14,7 +14,7 @@ import numpy as np
 
 import adaptivehilbertdelaunay
 from adaptivehilbertdelaunay import delaunay
-from adaptivehilbertdelaunay._triangulation import WANTED
+from adaptivehilbertdelaunay._keywords import WANTED
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonTransforms import vtkTransform
