@@ -202,7 +202,7 @@ FEATURES = (
     feature("Voronoi cells, 4 arrays", dict(GenerateVoronoi=True), arrays=4),
     feature("Voronoi cells, circle", dict(GenerateVoronoi=True), points=on_circle),
     feature("Voronoi cells, polygon", dict(GenerateVoronoi=True, VoronoiClip=2, VoronoiPolygon="0 0, 1 0, 0 1"),
-            {"voronoi_clip": [[0, 0], [1, 0], [0, 1]]}, ["triangles", "voronoi"]),
+            {"voronoi_clip": [[0, 0], [1, 0], [0, 1]]}, ["triangles", "voronoi"], most=2),
     feature("best-fitting plane", dict(ProjectionPlaneMode=2), {"plane": "best_fit"}, ["triangles"]),
     feature("plane and Voronoi cells", dict(ProjectionPlaneMode=2, GenerateVoronoi=True)),
     feature("bounding triangulation", dict(BoundingTriangulation=True), {"bounding": True}, ["triangles"]),
