@@ -86,7 +86,7 @@ public:
   ///@{
   /// The settings of the triangulation, threads, memory and KeepTriangulation included: a filter
   /// that is not executed. By default one with default settings. Not used: GenerateX, VoronoiClip,
-  /// MergeBlocks. Null is an error.
+  /// VoronoiPolygon, MergeBlocks. Null is an error.
   virtual void SetTriangulation(vtkAdaptiveHilbertDelaunay2D* triangulation);
   vtkGetObjectMacro(Triangulation, vtkAdaptiveHilbertDelaunay2D);
   ///@}
