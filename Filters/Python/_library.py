@@ -33,7 +33,7 @@ ProgressFunction = Callable[[int, float], Any]
 ProjectionFunction = Callable[[np.ndarray], Any]
 Number = Union[int, float]
 SOON = 0.05  #: seconds of a call before it notices Ctrl-C: most end sooner, and are spared the callbacks
-FEW_BYTES = 1 << 20  #: results of so many need not be counted before there is memory for them
+FEW_BYTES = 1 << 20  #: without a limit, results of so many need not be counted before there is memory for them
 NO_MASK = np.empty(0, np.uint8)
 
 _INTS = frozenset(names(INT_SETTINGS))
@@ -406,7 +406,7 @@ class Job:
             return Samples(out, slopes, mask)
 
         needed = count * (8 * numbers * (3 if gradients else 1) + 1)
-        if needed <= FEW_BYTES and make is None:
+        if needed <= FEW_BYTES and make is None and not self.get("memory_limit"):
             found = find()
         else:
             with self._with_memory(needed):
