@@ -194,7 +194,7 @@ class NamesTest(unittest.TestCase):
         for path in (("Fuzz", "JobJudge.cxx"), ("Support", "Run", "JobRun.cxx")):
             with open(os.path.join(ROOT, "Testing", *path), encoding="utf-8") as file:
                 given.update(re.findall(r'"(\w+)"', file.read()))
-        self.assertEqual(self.NAMES - given, self.NOT_OF_RESULTS | self.OF_OUTLINES)
+        self.assertEqual(self.NAMES - given - self.OF_OUTLINES, self.NOT_OF_RESULTS)  # "cells" is a count, too
 
 
 if __name__ == "__main__":
