@@ -303,11 +303,19 @@ void vtkAdaptiveHilbertDelaunay2D::Triangulate(
   }
   this->TakeMeasures(report);
   this->AddCounts(data.Outputs[0]->GetFieldData());
-  vtkAHDSayWarnings(this, settings, report);
+  this->Warn(settings, report);
   if (this->KeepTriangulation)
   {
     this->Cache->Keep(data, context);
   }
+}
+
+/// Of segments that InsertionLimit leaves out, once, as some move it step by step.
+void vtkAdaptiveHilbertDelaunay2D::Warn(const vtkAHDSettings& settings, const vtkAHDReport& report)
+{
+  vtkAHDSayWarnings(this, settings, report, this->WarnedAboutLimit);
+  const bool isTold = report.constraints.withoutVertex > 0 && report.delaunayTriangles > 0;
+  this->WarnedAboutLimit = report.counts.beyondLimit > 0 && (this->WarnedAboutLimit || isTold);
 }
 
 /// `forSamples`: to interpolate on the triangulation, without its outputs. `onSurface`: on that of

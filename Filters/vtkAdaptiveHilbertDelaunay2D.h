@@ -175,6 +175,7 @@ private:
   void ReadSettings(
     vtkAHDSettings& settings, bool forSamples = false, bool onSurface = false) const;
   void WarnAboutRanks();
+  void Warn(const vtkAHDSettings& settings, const vtkAHDReport& report);
 
   const std::unique_ptr<ahd::Workspace> Workspace;        // kept for the next execution
   vtkSmartPointer<vtkAHDLentTriangulation> Lent;          // the last execution's
@@ -183,6 +184,7 @@ private:
   const std::unique_ptr<vtkAHDRankUpdates> Updates;       // agreed on by ranks
   bool WarnedAboutRanks = false;
   bool WarnedAboutOneRank = false;
+  bool WarnedAboutLimit = false;
 };
 
 #endif

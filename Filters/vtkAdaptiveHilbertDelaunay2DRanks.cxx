@@ -334,7 +334,7 @@ void vtkAdaptiveHilbertDelaunay2D::WarnOnRanks(
   const vtkAHDSettings& settings, const vtkAHDRankResult& result)
 {
 #if VTK_MODULE_ENABLE_VTK_ParallelCore
-  vtkAHDSayWarnings(this, settings, result.Report);
+  this->Warn(settings, result.Report);
   for (const std::string& warning : result.Warnings)
   {
     vtkWarningMacro(<< warning);

@@ -29,8 +29,8 @@ void vtkAHDSayError(vtkAlgorithm* filter, const vtkAHDReport& report)
   vtkAHDSay(filter, ahd::Topic::Refusal, ahd::factsOf(report, { { "reason", reason } }));
 }
 
-void vtkAHDSayWarnings(
-  vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report)
+void vtkAHDSayWarnings(vtkAlgorithm* filter, const vtkAHDSettings& settings,
+  const vtkAHDReport& report, bool limitIsTold)
 {
   vtkAHDSay(filter, ahd::Topic::Triangulation,
     ahd::factsOf(report,
@@ -41,6 +41,6 @@ void vtkAHDSayWarnings(
         { "cell_ids", !settings.idsAreOfInput }, { "marks_are_unfit", report.MarksAreUnfit },
         { "may_be_emptied_by_loops", report.MayBeEmptiedByLoops },
         { "diagram_in_plane", report.IsDiagramInPlane }, { "source_points", report.Source.Points },
-        { "source_vertices", report.Source.Vertices },
-        { "source_strips", report.Source.Strips } }));
+        { "source_vertices", report.Source.Vertices }, { "source_strips", report.Source.Strips },
+        { "limit_is_told", limitIsTold } }));
 }

@@ -21,8 +21,9 @@ void vtkAHDSayBadCells(vtkAlgorithm* filter, const char* what, const ahd::BadCel
 /// The error of a failed execution; none if the user cancelled.
 void vtkAHDSayError(vtkAlgorithm* filter, const vtkAHDReport& report);
 
-/// The warnings of an execution, each at most once.
-void vtkAHDSayWarnings(
-  vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report);
+/// The warnings of an execution, each at most once. `limitIsTold`: not that InsertionLimit leaves
+/// out segments.
+void vtkAHDSayWarnings(vtkAlgorithm* filter, const vtkAHDSettings& settings,
+  const vtkAHDReport& report, bool limitIsTold = false);
 
 #endif

@@ -193,6 +193,13 @@ class FilterTest(unittest.TestCase):
         self.assertEqual(algorithm.GetOutput().GetNumberOfPoints(), 100 + algorithm.GetNumberOfAddedPoints())
         self.assertEqual(len(said["WarningEvent"]), 1, said)
 
+        algorithm.SetInsertionOrderToAsGiven()
+        for limit, told in ((60, 2), (80, 2), (0, 2), (60, 3)):  # as in an animation
+            algorithm.SetInsertionLimit(limit)
+            algorithm.Update()
+            self.assertEqual(algorithm.GetNumberOfConstraintsLeftOut() > 0, limit > 0)
+            self.assertEqual(len(said["WarningEvent"]), told, said)
+
     def test_source_coordinates_and_tolerance(self):
         source = cloud([(0.5, 0.25, 0), (3.5, 3.75, 0), (4.001, 4, 0)])
         algorithm = vtkAdaptiveHilbertDelaunay2D()

@@ -204,7 +204,8 @@ constexpr Row kRows[] = {
     "{segments_without_vertex}{of_segments} were left out: {unfit_ids} of the ids in its cells are "
     "not ids of points; the first is {first_unfit_id} in {chain} {first_unfit_cell}. Ids refer to "
     "the points of {cell_ids?the source.|the input (see {source_mode}).}{are_unsaid+{unfilled}}" },
-  { Topic::Triangulation, "without vertex", "segments_without_vertex delaunay_triangles !unfit_ids",
+  { Topic::Triangulation, "without vertex",
+    "segments_without_vertex delaunay_triangles !unfit_ids !limit_is_told",
     "{segments_without_vertex}{of_segments} were left out, because an end is a point that was "
     "rejected, was skipped or is beyond {insertion_limit}.{are_unsaid+{unfilled}}" },
 

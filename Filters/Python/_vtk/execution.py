@@ -249,5 +249,5 @@ class Execution:
         return {name: sum(measured[part] if part in measured else count(part) for part in parts)
                 for name, parts in table.OF_JOB.items()}
 
-    def warnings(self):
-        return messages.warnings(self.job, self.values, self.found)
+    def warnings(self, limit_is_told=False):
+        return messages.warnings(self.job, self.values, self.found, limit_is_told)

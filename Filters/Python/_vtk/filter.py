@@ -127,8 +127,10 @@ class _Executions:
         self._values.update(execution.measures())
         self._values["MemoryEstimate"] = self._job.count("memory_estimate") // 1024
         self._add_counts(made[0])
-        for text in execution.warnings():
+        for text in execution.warnings(self._warned_about_limit):
             speaker.warn(text)
+        is_told = self._job.count("segments_without_vertex") and self._job.count("delaunay_triangles")
+        self._warned_about_limit = self._job.count("beyond_limit") > 0 and bool(self._warned_about_limit or is_told)
         if self._values["KeepTriangulation"]:
             self._cache.keep(merged.input, made)
         merged.hand_on_points(made[0])
@@ -305,6 +307,7 @@ def make_class(backend):
         self._values.update(settings.MEASURES)
         self._transform = None
         self._warned_about_ranks = False
+        self._warned_about_limit = False  # once, as some move InsertionLimit step by step
         self._job = engine.Job()
         self._cache, self._lent = cache.OutputCache(backend), None
         self._empty, self._empty_of = [], None  # the last outputs without a point, and the time of their settings

@@ -68,7 +68,8 @@ def not_computed(why):
     return why if why.endswith(" computed.") else "%s. Nothing was computed." % why.rstrip(".")
 
 
-def warnings(job, values, found):
+def warnings(job, values, found, limit_is_told):
     """The texts, in order. `found`: facts from outside the job, and adds_bounding."""
-    facts = dict(vars(found), bounding_is_missing=values["BoundingTriangulation"] and not found.adds_bounding)
+    facts = dict(vars(found), bounding_is_missing=values["BoundingTriangulation"] and not found.adds_bounding,
+                 limit_is_told=limit_is_told)
     return said(engine.SAY_TRIANGULATION, facts, job)

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 
 using namespace ahdtest;
 using Filter = vtkAdaptiveHilbertDelaunay2D;
@@ -236,6 +237,13 @@ TEST(Constraints, EndsThatAreNoVertexAreSaid)
   EXPECT_EQ(limited->GetNumberOfConstraintsLeftOut(), 1);
   ASSERT_EQ(limited.Said->Warnings.size(), 1u);
   EXPECT_NE(limited.Said->Warnings[0].find("InsertionLimit"), std::string::npos);
+  for (const auto& [limit, told] : { std::pair(60, 0u), { 97, 0u }, { 0, 0u }, { 60, 1u } })
+  {
+    limited->SetInsertionLimit(limit); // as in an animation
+    limited.Run();
+    EXPECT_EQ(limited->GetNumberOfConstraintsLeftOut(), limit == 0 ? 0 : 1);
+    EXPECT_EQ(limited.Said->Warnings.size(), told) << limit;
+  }
 }
 
 TEST(Constraints, WithoutATriangleOnlyThatIsSaid)
