@@ -93,12 +93,13 @@ vtkPlanarPointSource::vtkPlanarPointSource()
 
 void vtkPlanarPointSource::SetHillHeight(double height)
 {
-  vtkAHDSetClamped(this, this->HillHeight, height, 0.0, 1000.0);
+  vtkAHDSetClamped(
+    this, this->HillHeight, height, this->GetHillHeightMinValue(), this->GetHillHeightMaxValue());
 }
 
 void vtkPlanarPointSource::SetScale(double scale)
 {
-  vtkAHDSetClamped(this, this->Scale, scale, 1e-9, 1e9);
+  vtkAHDSetClamped(this, this->Scale, scale, this->GetScaleMinValue(), this->GetScaleMaxValue());
 }
 
 int vtkPlanarPointSource::RequestData(

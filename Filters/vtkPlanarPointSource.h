@@ -77,8 +77,12 @@ public:
   /// The height of hills, z, as a part of the width of the set, from 0 (the default: none) to 1000;
   /// and the factor of all coordinates, from 1e-9 to 1e9, default 1. NaN changes nothing.
   void SetHillHeight(double height);
+  double GetHillHeightMinValue() { return 0.0; }
+  double GetHillHeightMaxValue() { return 1000.0; }
   vtkGetMacro(HillHeight, double);
   void SetScale(double scale);
+  double GetScaleMinValue() { return 1e-9; }
+  double GetScaleMaxValue() { return 1e9; }
   vtkGetMacro(Scale, double);
   ///@}
 
