@@ -15,12 +15,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <locale>
 #include <new>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 vtkStandardNewMacro(vtkPlanarGeoTIFFWriter);
@@ -63,10 +64,9 @@ public:
   /// Header, directory and values: what comes before the pixels.
   std::string Write() const
   {
-    const std::uint16_t order = 0x4949, same = 0x4d4d, number = 42;
-    const std::uint16_t one = 1;
+    const std::uint16_t little = 0x4949, big = 0x4d4d, number = 42, one = 1;
     const bool isLittle = *reinterpret_cast<const unsigned char*>(&one) == 1;
-    std::string made = bytesOf<std::uint16_t>({ isLittle ? order : same, number }) +
+    std::string made = bytesOf<std::uint16_t>({ isLittle ? little : big, number }) +
       bytesOf<std::uint32_t>({ 8 }) +
       bytesOf<std::uint16_t>({ static_cast<std::uint16_t>(this->Entries.size()) });
     const std::size_t begin = made.size() + 12 * this->Entries.size() + 4;
@@ -127,20 +127,31 @@ struct Frame
     {
       this->Size[axis] = image->GetSpacing()[axis];
       this->Count[axis] = static_cast<std::uint32_t>(extent[2 * axis + 1] - extent[2 * axis] + 1);
-      this->Low[axis] = image->GetOrigin()[axis] + (extent[2 * axis] - 0.5) * this->Size[axis];
-      this->High[axis] = image->GetOrigin()[axis] + (extent[2 * axis + 1] + 0.5) * this->Size[axis];
+      const double first = image->GetOrigin()[axis] + extent[2 * axis] * this->Size[axis];
+      this->Low[axis] = first - 0.5 * this->Size[axis];
+      this->High[axis] = first + (this->Count[axis] - 0.5) * this->Size[axis];
     }
   }
 
+  /// The pixels at the borders may stick out, as those of a raster that covers its points do.
   bool IsInDegrees() const
   {
-    return this->Low[0] >= -360.0 && this->High[0] <= 360.0 && this->Low[1] >= -90.0 &&
-      this->High[1] <= 90.0;
+    const auto isWithin = [this](int axis, double most)
+    {
+      return this->Low[axis] + this->Size[axis] >= -most &&
+        this->High[axis] - this->Size[axis] <= most;
+    };
+    return isWithin(0, 360.0) && isWithin(1, 90.0);
   }
 
   double Size[2], Low[2], High[2];
   std::uint32_t Count[2];
 };
+
+std::uint16_t bytesPerPixel(vtkDataArray* array)
+{
+  return array->GetDataType() == VTK_FLOAT ? sizeof(float) : sizeof(double);
+}
 
 /// What comes before the pixels; a strip is a row.
 std::string headerOf(const Frame& frame, std::uint16_t bytes, int code, double noData)
@@ -180,8 +191,9 @@ std::string headerOf(const Frame& frame, std::uint16_t bytes, int code, double n
 template <typename Number>
 void writeRows(std::ostream& file, vtkImageData* image, vtkDataArray* array, double noData)
 {
-  auto* const marks = vtkArrayDownCast<vtkUnsignedCharArray>(
+  auto* marks = vtkArrayDownCast<vtkUnsignedCharArray>(
     image->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  marks = marks && marks->GetNumberOfValues() == image->GetNumberOfPoints() ? marks : nullptr;
   const Frame frame(image);
   const vtkIdType columns = frame.Count[0];
   std::vector<Number> row(frame.Count[0]);
@@ -221,7 +233,8 @@ vtkDataArray* vtkPlanarGeoTIFFWriter::FindArray(vtkImageData* image)
   {
     return data->GetArray(this->ArrayName.c_str());
   }
-  return data->HasArray("Elevation") ? data->GetArray("Elevation") : data->GetScalars();
+  vtkDataArray* const heights = data->GetArray("Elevation");
+  return heights ? heights : data->GetScalars();
 }
 
 int vtkPlanarGeoTIFFWriter::RequestData(
@@ -237,11 +250,12 @@ int vtkPlanarGeoTIFFWriter::RequestData(
     wrong = "The input is not an image of one layer in x and y.";
   }
   else if (!array || array->GetNumberOfComponents() != 1 ||
-    array->GetNumberOfTuples() < image->GetNumberOfPoints())
+    array->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
     wrong = "There is no point array of one component that ArrayName names.";
   }
-  else if (8.5 * double(image->GetNumberOfPoints()) + 8.0 * image->GetDimensions()[1] + 65536.0 >
+  else if (double(bytesPerPixel(array)) * double(image->GetNumberOfPoints()) +
+      8.0 * image->GetDimensions()[1] + 65536.0 >
     kMostBytes)
   {
     wrong = "A GeoTIFF of so many pixels has more than 4 GiB. Take larger cells.";
@@ -259,31 +273,34 @@ int vtkPlanarGeoTIFFWriter::RequestData(
   return 1;
 }
 
-/// Returns false, and leaves no file, if it cannot be written.
+/// Returns false, and leaves the folder as it was, if the file cannot be written.
 bool vtkPlanarGeoTIFFWriter::WriteFile(vtkImageData* image, vtkDataArray* array)
 {
+  const auto wanted = std::filesystem::u8path(this->FileName);
+  const auto made = std::filesystem::u8path(this->FileName + ".part"); // until it is whole
+  std::error_code fault;
   try
   {
-    const bool isFloat = array->GetDataType() == VTK_FLOAT;
-    std::ofstream file(this->FileName, std::ios::binary | std::ios::trunc);
-    if (!file)
-    {
-      return false;
-    }
-    const std::uint16_t bytes = isFloat ? sizeof(float) : sizeof(double);
-    file << headerOf(Frame(image), bytes, this->EPSG, this->NoDataValue);
-    isFloat ? writeRows<float>(file, image, array, this->NoDataValue)
-            : writeRows<double>(file, image, array, this->NoDataValue);
+    std::ofstream file(made, std::ios::binary | std::ios::trunc);
+    const bool isFloat = bytesPerPixel(array) == sizeof(float);
+    const double noData = isFloat ? double(float(this->NoDataValue)) : this->NoDataValue;
+    file << headerOf(Frame(image), bytesPerPixel(array), this->EPSG, noData);
+    isFloat ? writeRows<float>(file, image, array, noData)
+            : writeRows<double>(file, image, array, noData);
     file.close();
     if (file)
     {
-      return true;
+      std::filesystem::rename(made, wanted, fault);
+      if (!fault)
+      {
+        return true;
+      }
     }
   }
   catch (const std::bad_alloc&)
   {
   }
-  std::remove(this->FileName.c_str());
+  std::filesystem::remove(made, fault);
   return false;
 }
 

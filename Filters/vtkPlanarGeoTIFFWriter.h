@@ -11,9 +11,9 @@
  * (vtkGhostType). Arrays of float are written as float, others as double. Not compressed, and
  * without other libraries.
  *
- * <b>Caveats.</b> Files end at 4 GiB. A number stands for a geographic system if all x are within
- * 360 and all y within 90, as degrees are, else for a projected one; whether there is such a system
- * is not checked. A failure is one error, with GetErrorCode() and without a file.
+ * <b>Caveats.</b> Files end at 4 GiB. A number stands for a geographic system if all pixels reach
+ * into x within 360 and y within 90, as degrees are, else for a projected one; whether there is
+ * such a system is not checked. A failure is one error, with GetErrorCode(), and changes no file.
  *
  * <b>Example.</b>
  *
@@ -47,7 +47,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The file, which is replaced.
+  /// The file, in UTF-8. One of this name is replaced when the new one is whole.
   vtkSetMacro(FileName, std::string);
   vtkGetMacro(FileName, std::string);
   ///@}

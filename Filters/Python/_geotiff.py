@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import os
 import struct
 from typing import Any, Sequence, Tuple
 
@@ -17,15 +18,16 @@ def write(
     no_data: float = -9999.0,
 ) -> None:  # fmt: skip
     """`values`: rows, the first one the southernmost, NaN where there is none; `origin`: the centre of the first of the
-    cells, `cell`: their width and height. OSError; ValueError for more than 4 GiB."""
+    cells, `cell`: their width and height. OSError, with which no file changes; ValueError for more than 4 GiB."""
     kind = np.float32 if values.dtype == np.float32 else np.float64
     rows, columns = values.shape
     row = columns * np.dtype(kind).itemsize
-    if 8.5 * values.size + 8.0 * rows + 65536 > 2**32 - 1:
+    if rows * row + 8 * rows + 65536 > 2**32 - 1:
         raise ValueError("a GeoTIFF of so many pixels has more than 4 GiB; take larger cells")
     west, south = (start + -0.5 * size for start, size in zip(origin, cell))
     east, north = (start + (n - 0.5) * size for start, size, n in zip(origin, cell, (columns, rows)))
-    degrees = west >= -360 and east <= 360 and south >= -90 and north <= 90
+    degrees = west + cell[0] >= -360 and east - cell[0] <= 360 and south + cell[1] >= -90 and north - cell[1] <= 90
+    no_data = float(kind(no_data))
     system = (1024, 0, 1, 2 if degrees else 1, 1025, 0, 1, 1, 2048 if degrees else 3072, 0, 1, epsg)
     keys = ((34735, SHORT, (1, 1, 0, 3) + system),) if epsg else ()
     said = b"nan" if math.isnan(no_data) else b"%.17g" % no_data
@@ -37,10 +39,17 @@ def write(
             (279, LONG, [row] * rows), (339, SHORT, [3]), (33550, DOUBLE, [*cell, 0.0]),
             (33922, DOUBLE, [0.0, 0.0, 0.0, west, north, 0.0]), *keys, (42113, TEXT, said + b"\0")))
 
-    with open(path, "wb") as file:
-        file.write(header(len(header(0))))
-        for one in values[::-1]:
-            file.write(np.where(np.isnan(one), no_data, one).astype("<f%d" % np.dtype(kind).itemsize).tobytes())
+    made = path + ".part"  # until it is whole
+    try:
+        with open(made, "wb") as file:
+            file.write(header(len(header(0))))
+            for one in values[::-1]:
+                file.write(np.where(np.isnan(one), no_data, one).astype("<f%d" % np.dtype(kind).itemsize).tobytes())
+        os.replace(made, path)
+    except BaseException:
+        if os.path.exists(made):
+            os.remove(made)
+        raise
 
 
 def _directory(entries: Sequence[Tuple[int, Tuple[int, str], Any]]) -> bytes:

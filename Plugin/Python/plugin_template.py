@@ -324,11 +324,12 @@ class _GeoTIFF(VTKPythonAlgorithmBase):
         array = data.GetArray(settings["ArrayName"] or "Elevation")
         if array is None and not settings["ArrayName"]:
             array = data.GetScalars()
-        if array is None or array.GetNumberOfComponents() != 1:
+        count = image.GetNumberOfPoints()
+        if array is None or array.GetNumberOfComponents() != 1 or array.GetNumberOfTuples() != count:
             raise ValueError("There is no point array of one component that ArrayName names. No file was written.")
         found, marks = vtk_to_numpy(array), data.GetArray(vtkDataSetAttributes.GhostArrayName())
         values = found if found.dtype == "float32" else found.astype("float64")
-        if marks is not None:
+        if marks and marks.IsA("vtkUnsignedCharArray") and marks.GetNumberOfValues() == count:
             hidden = vtk_to_numpy(marks) & vtkDataSetAttributes.HIDDENPOINT
             values = numpy.where(hidden, values.dtype.type("nan"), values)
         extent, spacing = image.GetExtent(), image.GetSpacing()

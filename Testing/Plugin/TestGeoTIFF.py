@@ -2,6 +2,8 @@
 """File > Save Data as a GeoTIFF: read again by GDAL (if installed; on CI it is), and by the tags."""
 
 import importlib
+import resource
+import signal
 import struct
 
 from paraview import servermanager
@@ -19,7 +21,8 @@ def raster(at=(500000.0, 4000000.0), **settings):
     """Of a triangle, so that there are cells without a value; not square."""
     points = [(at[0] + x, at[1] + y, z) for x, y, z in ((0, 0, 1), (4, 0, 2), (0, 6, 3))]
     given = XMLPolyDataReader(FileName=[write_vtp("triangle.vtp", points)])
-    return AdaptiveHilbertInterpolation2D(Input=given, RasterSize="Cell Size", CellSize=[1, 0.5], **settings)
+    settings = dict({"RasterSize": "Cell Size", "CellSize": [1, 0.5]}, **settings)
+    return AdaptiveHilbertInterpolation2D(Input=given, **settings)
 
 
 def save(source, name="raster.tif", **settings):
@@ -62,6 +65,34 @@ def test_place_and_values():
     check((wanted == -9999).any(), "each cell has a value, so this test would prove nothing")
 
 
+def test_degrees():
+    """Also where cells that cover the points stick out beyond the pole."""
+    for y, size, kind in ((83.9, 0.7, 2048), (83.9, 4, 2048), (85, 0.5, 3072), (-90, 0.5, 2048), (-91, 0.5, 3072)):
+        content, tags = tags_of(save(raster((12.0, y), CellSize=[1, size]), EPSG=4326))
+        keys = struct.unpack_from("<16H", content, tags[34735][2])
+        check_equal(keys[12:], (kind, 0, 1, 4326), "the key of the system from %r in cells of %r" % (y, size))
+
+
+def test_a_file_stays_until_the_new_one_is_whole():
+    """As where the disk is full."""
+    source, before, window = raster(CellSize=[0.01, 0.01]), vtkOutputWindow.GetInstance(), vtkStringOutputWindow()
+    path = save(raster())
+    with open(path, "rb") as file:
+        old = file.read()
+    source.UpdatePipeline()
+    vtkOutputWindow.SetInstance(window)
+    limit, action = resource.getrlimit(resource.RLIMIT_FSIZE), signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (100000, limit[1]))
+    save(source)
+    resource.setrlimit(resource.RLIMIT_FSIZE, limit)
+    signal.signal(signal.SIGXFSZ, action)
+    vtkOutputWindow.SetInstance(before)
+    check(window.GetOutput(), "nothing is said")
+    check(tags_of(path)[0] == old, "the file before is another")
+    check(not os.path.exists(path + ".part"), "a part is left")
+    check(len(tags_of(save(source))[0]) > 100000, "with space, it is not replaced")
+
+
 def test_gdal_reads_it():
     try:
         gdal, osr = importlib.import_module("osgeo.gdal"), importlib.import_module("osgeo.osr")
@@ -97,6 +128,11 @@ def test_both_plugins_write_the_same():
         other = scratch("other.tif")
         write(other, rows_of(source, no_data)[::-1], image.GetOrigin()[:2], image.GetSpacing()[:2], code, no_data)
         check(tags_of(save(source, EPSG=code, NoDataValue=no_data))[0] == tags_of(other)[0], "the bytes of both")
+    for kind, wanted in ((numpy.float32, FileNotFoundError), (numpy.float64, ValueError)):  # of 2 and 4 GiB
+        try:
+            write(scratch("no/such/folder.tif"), numpy.broadcast_to(kind(1), (22500, 24000)), (0, 0), (1, 1))
+        except (OSError, ValueError) as error:
+            check_equal(type(error), wanted, "540 million pixels of %s" % kind)
 
 
 def test_other_arrays():
@@ -106,6 +142,8 @@ def test_other_arrays():
     content, tags = tags_of(save(single, ArrayName="seven"))
     pixels = numpy.frombuffer(content[-4 * 4 * 12:], "<f4")
     check_equal((tags[258][2], set(pixels)), (32, {7.0}), "bits and pixels")
+    content, _ = tags_of(save(single, ArrayName="seven", NoDataValue=0.1))
+    check(b"\0%.17g\0" % numpy.float32(0.1) in content, "the number for no data is none of floats")
     hiding = Calculator(Input=raster(), Function="7", ResultArrayName="seven")
     content, tags = tags_of(save(hiding, ArrayName="seven", NoDataValue=-1))
     wanted = numpy.where(rows_of(hiding, -9999) == -9999, -1, 7)
