@@ -101,9 +101,9 @@ public:
   /// How the number of cells of the raster is set. Dimensions: by their number along x and y. Cell
   /// Size: by the width and height of a cell. Default: BY_CELL_SIZE in ParaView, BY_DIMENSIONS in
   /// VTK.
-  /// Where the numbers of that are 0, the cells are squares, chosen from the points: as many as
-  /// there are points in the input, but at least 65536, and at most 4096 along a side; their size
-  /// is rounded to 1, 2 or 5 times a power of ten.
+  /// Where the numbers of that are 0, the cells are squares, chosen from the points: about as many
+  /// as there are points in the input, or 65536 if these are fewer, and no more than about 4096
+  /// along a side. Their size is 1, 2 or 5 times a power of ten.
   vtkSetClampMacro(RasterSize, int, BY_DIMENSIONS, BY_CELL_SIZE);
   vtkGetMacro(RasterSize, int);
   void SetRasterSizeToByDimensions() { this->SetRasterSize(BY_DIMENSIONS); }
@@ -121,8 +121,8 @@ public:
   ///@{
   /// The width and height of a cell in the units of the points: metres for projected points,
   /// degrees if x and y are longitude and latitude. Both 0: square cells, chosen from the points:
-  /// about as many, and at least 65536, the size 1, 2 or 5 times a power of ten. The raster begins
-  /// at the lower bounds and covers all points; one that needs more memory than available is
+  /// about as many, or 65536 if these are fewer, of 1, 2 or 5 times a power of ten. The raster
+  /// begins at the lower bounds and covers all points; one that needs more memory than available is
   /// refused with an error that says how much. Default 0, 0 in ParaView, 1, 1 in VTK.
   /// Other sizes that are not positive and finite are an error of the execution. The raster has as
   /// many cells as cover the area, at least one. Whether the last one is needed is decided on the

@@ -47,8 +47,8 @@ struct vtkAHDRaster
 /// The raster of this area, empty if there is none. `points`: how many the input has.
 ///
 /// If the size of the cells is chosen, they are squares, as many as there are points, but at least
-/// 65536, and at most 4096 along a side; their size is the next 1, 2 or 5 times a power of ten, by
-/// ratio.
+/// 65536, and at most 4096 along a side. Then the size is rounded to the next 1, 2 or 5 times a
+/// power of ten, by ratio, which makes up to 1.6 times more or fewer along a side.
 ///
 /// By dimensions, the cells fill the area; a side of length 0 makes one row through it, as wide as
 /// the other side's cells, or 1.

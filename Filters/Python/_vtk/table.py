@@ -573,8 +573,9 @@ INTERPOLATION = (
     ("RasterSize", "enum", 0,
      'How the number of cells of the raster is set. Dimensions: by their number along x and y. Cell Size: by the '
      'width and height of a cell. Default: BY_CELL_SIZE in ParaView, BY_DIMENSIONS in VTK. Where the numbers of '
-     'that are 0, the cells are squares, chosen from the points: as many as there are points in the input, but '
-     'at least 65536, and at most 4096 along a side; their size is rounded to 1, 2 or 5 times a power of ten.',
+     'that are 0, the cells are squares, chosen from the points: about as many as there are points in the input, '
+     'or 65536 if these are fewer, and no more than about 4096 along a side. Their size is 1, 2 or 5 times a '
+     'power of ten.',
      0, 1, ('ByDimensions', 'ByCellSize')),
     ("Dimensions", "int", (256, 256),
      'The number of cells along x and y; they fill the area of the raster. 0: square cells, chosen from the '
@@ -582,12 +583,12 @@ INTERPOLATION = (
      0, 2147483647, ()),
     ("CellSize", "double", (1.0, 1.0),
      'The width and height of a cell in the units of the points: metres for projected points, degrees if x and y '
-     'are longitude and latitude. Both 0: square cells, chosen from the points: about as many, and at least '
-     '65536, the size 1, 2 or 5 times a power of ten. The raster begins at the lower bounds and covers all '
-     'points; one that needs more memory than available is refused with an error that says how much. Default 0, '
-     '0 in ParaView, 1, 1 in VTK. Other sizes that are not positive and finite are an error of the execution. '
-     'The raster has as many cells as cover the area, at least one. Whether the last one is needed is decided on '
-     'the numbers as written in decimal (15 digits): 100 cells of 0.1 cover 0 to 10.',
+     'are longitude and latitude. Both 0: square cells, chosen from the points: about as many, or 65536 if these '
+     'are fewer, of 1, 2 or 5 times a power of ten. The raster begins at the lower bounds and covers all points; '
+     'one that needs more memory than available is refused with an error that says how much. Default 0, 0 in '
+     'ParaView, 1, 1 in VTK. Other sizes that are not positive and finite are an error of the execution. The '
+     'raster has as many cells as cover the area, at least one. Whether the last one is needed is decided on the '
+     'numbers as written in decimal (15 digits): 100 cells of 0.1 cover 0 to 10.',
      None, None, ()),
     ("AlignToCellSize", "bool", False,
      'Align the borders between cells with multiples of the cell size, so that the cells of neighbouring tiles '
