@@ -158,6 +158,7 @@ void vtkAHDRankPoints::Prepare()
   ahd::InputRequest request = this->Input->GetRequest();
   request.plane = &this->Plane;
   request.bounds = &this->Bounds;
+  request.isSourceElsewhere = this->Facts.GetSourcePoints() > 0;
   request.closedLinesAreLoops = false; // those of all ranks are joined first: JoinChains()
   request.bounding = request.bounding && this->Ranks.GetOwn() + 1 == this->Ranks.GetCount();
   this->Context.Check(ahd::prepare(request, this->Context, this->Prepared));

@@ -179,11 +179,11 @@ constexpr Row kRows[] = {
     "{source_strips} {source_strips?triangle strip|triangle strips} of the source "
     "{source_strips?is|are} ignored: only lines and polygons constrain." },
   { Topic::Triangulation, "source elsewhere", "source_apart",
-    "The source does not overlap the points. Source: {source_box}; points: {input_box}. Both must "
-    "have the same units, origin and order of x and y." },
+    "The source does not overlap the points. Source: {source_box}; points: {input_box}"
+    "{in_the_plane}. Both must have the same units, origin and order of x and y." },
   { Topic::Triangulation, "points elsewhere", "loops_miss_input",
     "None of the points lies inside {the_loops}, so the surface has points of the source only (see "
-    "{fill_rule}). Source: {source_box}; points: {input_box}." },
+    "{fill_rule}). Source: {source_box}; points: {input_box}{in_the_plane}." },
   { Topic::Triangulation, "lines at zero", "lines_at_zero",
     "{lines_at_zero} {lines_at_zero?line or polygon of the source lies|lines and polygons of the "
     "source lie} at z = 0, but the points from {lowest_z} to {highest_z}. If that is a map "
@@ -319,6 +319,7 @@ constexpr Phrase kPhrases[] = {
       "Found{source_strips+ (strips are ignored)}: {source_content}.{may_be_line+ With "
       "SourceMode Coordinates and {points_as_line} its points are a line, in their order.}" } },
   { "points_as_line", { "\"points_as_line\"", "PointsAsLine", "points_as_line" } },
+  { "in_the_plane", { "{is_projected+, in the plane}" } },
   { "take_heights",
     { "set \"source_heights\" to AHD_HEIGHTS_FROM_SURFACE; if some of its points have heights, to "
       "AHD_HEIGHTS_MIXED with \"zero_is_missing\"",

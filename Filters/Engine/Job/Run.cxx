@@ -320,8 +320,12 @@ Status Run::lookForInput(const RunResult& made)
     return Status::Ok;
   }
   bool isKept = false;
-  const Status status = keepsAnyOf(made.triangulation, made.points.inputCount(), context_, isKept);
-  report_.loopsMissInput = !isKept;
+  const std::size_t inputs = made.points.inputCount();
+  const Status status = keepsAnyOf(made.triangulation, inputs, context_, isKept);
+  const std::vector<MergedPoint>& merged = made.points.merged();
+  report_.loopsMissInput = !isKept &&
+    std::none_of(merged.begin(), merged.end(), // their places are those of the source
+      [&](const MergedPoint& m) { return m.id < inputs && m.keptId >= inputs; });
   return status;
 }
 

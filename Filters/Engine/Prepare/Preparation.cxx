@@ -234,7 +234,8 @@ Status Preparation::project()
 
 Status Preparation::findSourceBounds()
 {
-  if (out_.sourceCount_ == 0)
+  const bool hasSource = out_.sourceCount_ > 0;
+  if (!hasSource && !request_.isSourceElsewhere)
   {
     return Status::Ok;
   }
@@ -242,7 +243,7 @@ Status Preparation::findSourceBounds()
   input.count = out_.inputCount_;
   source.count = out_.sourceCount_;
   source.skip = nullptr;
-  source.doubles += 3 * out_.inputCount_;
+  source.doubles += hasSource ? 3 * out_.inputCount_ : 0;
   Ticker ticker(&phases_, Phase::Merge, 0, context_.executor);
   const bool all = findBox(input, ticker, out_.sourceBounds_.input) &&
     findBox(source, ticker, out_.sourceBounds_.source);

@@ -102,6 +102,8 @@ struct InputRequest
   /// those with finite x, y; of z the finite ones. None: low is above high.
   const std::array<Vector3, 2>* bounds = nullptr;
   bool split = false; ///< split constraints where they cross
+  /// Another block has points of a source, so that the bounds of this one's are wanted.
+  bool isSourceElsewhere = false;
   /// A run that must split, or divide, segments in more places ends with Status::TooManyCrossings
   /// before it does.
   std::size_t mostCrossings = std::size_t(-1);
@@ -194,7 +196,8 @@ struct SpaceBox
 struct SourceBounds
 {
   SpaceBox input, source; ///< empty without such a source
-  /// Lines and polygons of the source with their own heights that are 0 throughout.
+  /// Lines and polygons of the source with their own heights that are 0 throughout; none in a plane
+  /// other than x, y, above which heights are not z.
   std::size_t flatChains = 0;
 
   /// Do they not overlap, nor touch, in the plane, though there are points of both?

@@ -60,7 +60,7 @@ bool Preparation::readPoints(Ticker& ticker)
 /// Of the source's own heights. Most have a first point that is none at 0.
 bool Preparation::countFlatChains(Ticker& ticker)
 {
-  const bool areOwn = out_.sourceCount_ > 0 && !request_.idsAreOfInput &&
+  const bool areOwn = out_.sourceCount_ > 0 && !request_.idsAreOfInput && !out_.isProjected_ &&
     (request_.heights == SourceHeights::Own ||
       (request_.heights == SourceHeights::Mixed && !request_.zeroIsMissing));
   const auto isFlat = [this](std::int64_t id)

@@ -141,6 +141,10 @@ TEST(PrepareSourceBounds, CountLinesAtZeroOffTheTerrain)
 
 TEST(PrepareSourceBounds, OfSeveralBlocksAreJoined)
 {
+  PrepareCase inputAlone({ { { 9, 9, -3 } } }, {});
+  EXPECT_GT(boundsOf(inputAlone).input.low[0], 9.0) << "not looked at";
+  inputAlone.request.isSourceElsewhere = true;
+  EXPECT_EQ(boundsOf(inputAlone).input.low, (Xyz{ { 9, 9, -3 } }));
   SourceBounds all = boundsOf(PrepareCase({}, kShore, { { 0, 1 } }));
   all.merge(boundsOf(PrepareCase(kTerrain, { { { 7, 7, 0 } }, { { 8, 8, 0 } } }, { { 0, 1 } })));
   all.merge(SourceBounds());

@@ -207,6 +207,15 @@ def with_sources_moved(made, x=0.0, z=0.0, size=1.0):
     return made
 
 
+def with_source_of_one_rank(points, ranks):
+    """Points dealt by x; the first rank has the only source, among the points of the last."""
+    points = sorted(points)
+    size = -(-len(points) // ranks)
+    made = [pieces(points[k * size:(k + 1) * size], 1)[0] for k in range(ranks)]
+    made[0].source = ([(0.7 + x / 4, y / 4, z) for x, y, z in ring(1.0, 7)], [], [list(range(7))])
+    return made
+
+
 def with_marks(made):
     for piece in made[1:]:
         piece.marks = [(0, 1, 2, 0, 32)[i % 5] for i in range(len(piece.points))]
@@ -295,6 +304,7 @@ def plain_cases(ranks):
         "outlines around no point": (with_sources_moved(pieces(uniform(300), ranks), size=1e-4), COORDINATES),
         "sources without heights": (
             with_sources_moved(pieces([(x, y, z + 9) for x, y, z in uniform(300)], ranks), z=-0.25), COORDINATES),
+        "source of one rank": (with_source_of_one_rank(uniform(400), ranks), COORDINATES),
         "one source": (with_one_source(pieces(uniform(800), ranks)), COORDINATES),
         "short edges": (with_sources(pieces(uniform(900), ranks), 4), dict(EVERYTHING, MaximumEdgeLength=0.09)),
         "no edge is short": (pieces(uniform(90), ranks), dict(EVERYTHING, MaximumEdgeLength=1e-9)),

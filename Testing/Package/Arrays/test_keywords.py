@@ -144,6 +144,8 @@ class ConstraintTest(KeywordTest):
         inside = np.array([(1.2, 1.2), (1.8, 1.2), (1.5, 1.8)])
         made = delaunay(points, source_points=inside, loops=[0, 1, 2], source_heights="surface")
         self.assertEqual(made.counts["loops_miss_input"], 0, "it has the heights of the points")
+        made = delaunay(SQUARE + 1e-7, source_points=SQUARE, loops=[0, 1, 2, 3], tolerance=1e-3)
+        self.assertEqual((len(made.merged), made.counts["loops_miss_input"]), (6, 0), "the points are its corners")
 
     def test_a_source_without_heights(self):
         points = np.c_[lattice(9), np.full(81, 7.5)]
@@ -151,6 +153,10 @@ class ConstraintTest(KeywordTest):
         with self.assertWarnsRegex(DelaunayWarning, "1 line or polygon .* z = 0, .* from 7.5 to 7.5.*zero_is_missing"):
             made = delaunay(points, source_points=road, lines=[0, 1])
         self.assertEqual(made.counts["lines_at_zero"], 1)
+        wall = [[1, 0, 0, 0], [0, 0, 1, 0], [0, 1, 0, 0], [0, 0, 0, 1]]
+        along = np.c_[road[:, 0], [0, 0], road[:, 1]]
+        made = delaunay(points[:, [0, 2, 1]], source_points=along, lines=[0, 1], plane=wall)
+        self.assertEqual(made.counts["lines_at_zero"], 0, "not z is 0")
         for given, heights in ((points, "surface"), (points - (0, 0, 7.5), "own"), (points[:, :2], "own")):
             self.assertEqual(
                 delaunay(given, source_points=road, lines=[0, 1], source_heights=heights).counts["lines_at_zero"], 0)

@@ -54,6 +54,7 @@ CASES = {
     "bare": ({"trimmed_triangles": 8, "kept_triangles": 42, "bare_vertices": 1}, 0.0, False),
     "off the surface": ({"points_off_surface": 4}, 0.0, False),
     "apart": ({"source_apart": 1, "points_off_surface": 9, **BOXES}, 0.0, False),
+    "apart in a plane": ({"source_apart": 1, "is_projected": 1, **BOXES}, 0.0, False),
     "loops around no point": ({"loops_miss_input": 1, **BOXES}, 0.0, False),
     "a line without heights": ({"lines_at_zero": 1, "lowest_z": -2.5, "highest_z": -1}, 0.0, False),
     "lines without heights": ({"lines_at_zero": 3, "lowest_z": 1e3, "highest_z": 1234.5}, 0.0, False),
