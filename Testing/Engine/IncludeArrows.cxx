@@ -37,7 +37,7 @@ const std::map<std::string, Names>& allowedParts()
     { "Merge", { "Points" } },
     { "Crossings", { "Arithmetic", "Points", "Order", "Predicates" } },
     { "Constrain", { "Points", "Predicates", "Mesh" } },
-    { "Outline", { "Points", "Predicates", "Prepare" } },
+    { "Outline", { "Points", "Order", "Predicates", "Prepare" } },
     { "Prepare",
       { "Arithmetic", "Points", "Order", "Predicates", "Merge", "Crossings", "Surface",
         "Triangulation", "" } },

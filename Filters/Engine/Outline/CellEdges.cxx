@@ -3,9 +3,11 @@
 
 #include "../Core/Chunks.h"
 #include "../Core/SortAsking.h"
+#include "../Order/RadixSort.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace ahd
 {
@@ -13,6 +15,21 @@ namespace
 {
 
 constexpr Index kUnseen = kNoIndex - 1; ///< the state of a cell that is to be turned yet
+
+/// Equal places have equal hashes.
+std::uint32_t hashOf(const std::array<double, 3>& place)
+{
+  std::uint64_t hash = 0;
+  for (const double number : place)
+  {
+    const double withOneZero = number + 0.0;
+    std::uint64_t bits;
+    std::memcpy(&bits, &withOneZero, sizeof bits);
+    hash = (hash ^ bits) * 0x9E3779B97F4A7C15u;
+    hash ^= hash >> 32;
+  }
+  return static_cast<std::uint32_t>(hash * 0x9E3779B97F4A7C15u >> 32);
+}
 
 } // namespace
 
@@ -25,33 +42,62 @@ bool CellEdges::make(Ticker& ticker)
 bool CellEdges::mergePlaces(Ticker& ticker)
 {
   const PointView& points = request_.points;
-  Buffer<Index> sorted, other;
+  Buffer<std::uint64_t> items, other;
   points_.allocate(points.count);
-  sorted.allocate(points.count);
-  std::size_t count = 0;
+  items.allocate(points.count);
+  std::size_t count = 0, end = 0;
   const auto take = [&](std::size_t i)
   {
-    points_[i] = static_cast<Index>(i);
-    sorted[count] = static_cast<Index>(i);
-    count += isFinite(points[i]) && std::isfinite(points.z(i)) ? 1u : 0u;
+    const auto id = static_cast<Index>(i);
+    points_[i] = id;
+    if (isFinite(points[i]) && std::isfinite(points.z(i)))
+    {
+      items[count++] = packed(hashOf(points.place(i)), id);
+    }
   };
-  if (!inSteps(0, points.count, ticker, take))
+  if (!inSteps(0, points.count, ticker, take) || !sortPacked(items, count, ticker))
   {
     return false;
   }
-  other.allocate(count > kChunk ? count : 0);
-  const auto isLess = [&points](Index a, Index b)
+  for (std::size_t begin = 0; begin < count; begin = end)
   {
-    const auto p = points.place(a), q = points.place(b);
+    for (end = begin + 1; end < count && items[end] >> 32 == items[begin] >> 32; ++end)
+    {
+      if (!ticker.step())
+      {
+        return false;
+      }
+    }
+    if (!ticker.step() ||
+      (end - begin > 1 && !mergeAlike(items.data() + begin, end - begin, other, ticker)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Of points with one hash.
+bool CellEdges::mergeAlike(
+  std::uint64_t* items, std::size_t count, Buffer<std::uint64_t>& other, Ticker& ticker)
+{
+  const PointView& points = request_.points;
+  const auto placeOf = [&points](std::uint64_t item)
+  { return points.place(static_cast<Index>(item)); };
+  const auto isLess = [&placeOf](std::uint64_t a, std::uint64_t b)
+  {
+    const auto p = placeOf(a), q = placeOf(b);
     return p != q ? p < q : a < b;
   };
   const auto merge = [&](std::size_t k)
   {
-    const bool isSame = points.place(sorted[k]) == points.place(sorted[k - 1]);
-    points_[sorted[k]] = isSame ? points_[sorted[k - 1]] : sorted[k];
+    if (placeOf(items[k]) == placeOf(items[k - 1]))
+    {
+      points_[static_cast<Index>(items[k])] = points_[static_cast<Index>(items[k - 1])];
+    }
   };
-  return sortAsking(sorted.data(), count, other.data(), ticker, isLess) &&
-    inSteps(1, count, ticker, merge);
+  other.allocate(std::max(other.size(), count > kChunk ? count : 0));
+  return sortAsking(items, count, other.data(), ticker, isLess) && inSteps(1, count, ticker, merge);
 }
 
 bool CellEdges::read(Ticker& ticker)
@@ -70,6 +116,10 @@ bool CellEdges::read(Ticker& ticker)
     }
   }
   cells_.allocate(areTriangles ? 0 : cells.ids);
+  if (!fillAll(twins_, kNull, ticker)) // offsets need not begin at 0, nor end at the last id
+  {
+    return false;
+  }
   for (std::size_t c = 0; c < cells.cells; ++c)
   {
     if (!ticker.step() || !readCell(static_cast<Index>(c), ticker))
@@ -283,7 +333,10 @@ bool CellEdges::spreadFrom(Index cell, Buffer<Index>& stack, Ticker& ticker)
     for (std::size_t k = offset(now); k < offset(now + 1); ++k)
     {
       const auto h = static_cast<CellEdge>(k);
-      addArea(h, areas);
+      if (k > offset(now) && k + 1 < offset(now + 1))
+      {
+        addArea(h, areas);
+      }
       if (isJoined(h))
       {
         cross(h, stack, size);
@@ -328,7 +381,7 @@ void CellEdges::cross(CellEdge h, Buffer<Index>& stack, std::size_t& size)
 }
 
 /// Adds twice the area of the edge and its cell's first corner, seen along x, y and z;
-/// counterclockwise it is positive.
+/// counterclockwise it is positive. Of edges at that corner it is 0.
 void CellEdges::addArea(CellEdge h, std::array<double, 3>& areas) const
 {
   const std::array<double, 3> o = request_.points.place(corners_[offset(cellOf(h))]);
@@ -345,7 +398,8 @@ void CellEdges::addArea(CellEdge h, std::array<double, 3>& areas) const
 OutlinePlane CellEdges::plane() const
 {
   const auto widest = std::max_element(areas_.begin(), areas_.end()) - areas_.begin();
-  const bool isFolded = areas_[2] < 0.9 * areaOfCells_ || areaOfCells_ == 0.0;
+  // nine tenths less one tenth
+  const bool isFolded = areas_[2] < 0.8 * areaOfCells_ || areaOfCells_ == 0.0;
   const bool isNumber = std::isfinite(areas_[0] + areas_[1] + areas_[2]);
   return isFolded && isNumber && areas_[std::size_t(widest)] > areas_[2]
     ? static_cast<OutlinePlane>(widest)

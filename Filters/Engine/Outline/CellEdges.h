@@ -98,6 +98,8 @@ private:
   Index cornerAt(std::size_t k) const;
 
   bool mergePlaces(Ticker& ticker);
+  bool mergeAlike(
+    std::uint64_t* items, std::size_t count, Buffer<std::uint64_t>& other, Ticker& ticker);
   bool read(Ticker& ticker);
   bool readCell(Index cell, Ticker& ticker);
   bool list(Buffer<Index>& heads, Buffer<Entry>& entries, Ticker& ticker);

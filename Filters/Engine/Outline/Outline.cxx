@@ -292,9 +292,12 @@ bool Rings::write(Outline& out, Ticker& ticker) const
 
 std::size_t outlineMemoryEstimate(const OutlineRequest& request)
 {
-  // corners, cells of edges, twins, the list of edges, whether they are passed; points, in their
-  // order, sorted, their heads or positions; states of cells, the stack, components
-  return 21 * request.cells.ids + 12 * request.points.count + 17 * request.cells.cells;
+  // Points, their hashes, and again to sort them; after that: corners, cells of edges, twins, the
+  // list of edges, whether they are passed; points, their heads or positions; states of cells, the
+  // stack, components.
+  const std::size_t toMerge = 20 * request.points.count;
+  return std::max(
+    toMerge, 21 * request.cells.ids + 8 * request.points.count + 17 * request.cells.cells);
 }
 
 Status outline(const OutlineRequest& request, const Context& context, Outline& out)

@@ -90,7 +90,9 @@ TEST(OutlineTrouble, MemoryIsEstimatedAndRequested)
   Random random(9);
   OutlineCase apart = gridOf(60, 60, random);
   apart.groupThem(999, random);
-  for (const OutlineCase& given : { manyRings(150), gridOf(150, 150, random), apart })
+  OutlineCase points = gridOf(1, 1, random);
+  points.points.resize(40000);
+  for (const OutlineCase& given : { manyRings(150), gridOf(150, 150, random), apart, points })
   {
     Requests requests;
     Outline made;

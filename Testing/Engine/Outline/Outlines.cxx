@@ -221,15 +221,20 @@ TEST(Outlines, FiguresHaveTheirHolesAndIslands)
 /// A hole that touches the outer ring at the smallest vertex of both.
 TEST(Outlines, AHoleAtTheFirstVertexIsNoOuterRing)
 {
-  OutlineCase given;
-  given.points = { { 0, 0, 0 }, { 9, -9, 0 }, { 5, -1, 0 }, { 5, 1, 0 }, { 9, 9, 0 } };
-  given.addCell({ 0, 1, 2 });
-  given.addCell({ 1, 4, 3, 2 });
-  given.addCell({ 0, 3, 4 });
-  const Outline made = given.outline();
-  EXPECT_EQ(made.rings, std::vector<Index>({ 0, 3, 6 }));
-  EXPECT_EQ(made.polygons, std::vector<Index>({ 0, 2 }));
-  EXPECT_EQ(made.corners, std::vector<Index>({ 0, 1, 4, 0, 3, 2 }));
+  const std::vector<std::vector<std::int64_t>> cells = { { 0, 1, 2 }, { 1, 4, 3, 2 }, { 0, 3, 4 } };
+  for (std::size_t first = 0; first < 3; ++first) // either ring is found first
+  {
+    OutlineCase given;
+    given.points = { { 0, 0, 0 }, { 9, -9, 0 }, { 5, -1, 0 }, { 5, 1, 0 }, { 9, 9, 0 } };
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      given.addCell(cells[(first + k) % 3]);
+    }
+    const Outline made = given.outline();
+    EXPECT_EQ(made.rings, std::vector<Index>({ 0, 3, 6 }));
+    EXPECT_EQ(made.polygons, std::vector<Index>({ 0, 2 }));
+    EXPECT_EQ(made.corners, std::vector<Index>({ 0, 1, 4, 0, 3, 2 }));
+  }
 }
 
 TEST(Outlines, NothingHasNoRing)
@@ -263,6 +268,21 @@ TEST(Outlines, UnfitCellsAreLeftOutAndCounted)
   EXPECT_EQ(made.unfitEdges, 0u);
 }
 
+TEST(Outlines, IdsOfNoCellAreNotRead)
+{
+  OutlineCase given = drawn({ "x" });
+  const std::vector<Index> corners = given.outline().corners;
+  given.ids = { 9, -1, 77, 0, 1, 2, 0, 2, 3, 3, 1 };
+  given.offsets = { 3, 6, 9 };
+  EXPECT_EQ(given.outline().corners, corners);
+  given.ids = { 0, 1, 2, 0, 2, 3, 3, 1, 2 };
+  given.offsets = { 0, 3, 6, 8 }; // a third triangle, but for a corner
+  EXPECT_EQ(given.outline().corners, corners);
+  EXPECT_EQ(given.outline().unfitCells, 1u);
+  given.offsets = { 0 };
+  EXPECT_TRUE(given.outline().corners.empty());
+}
+
 TEST(Outlines, RepeatedCornersAndWaysBackAreNoEdges)
 {
   OutlineCase given;
@@ -272,6 +292,14 @@ TEST(Outlines, RepeatedCornersAndWaysBackAreNoEdges)
   given.addCell({ 0, 1, 2, 4, 2, 3 });
   given.groups = { 0, 1 };
   EXPECT_EQ(given.outline().corners, std::vector<Index>({ 0, 1, 2, 3, 0, 1, 2, 3 }));
+  OutlineCase joined; // of two cells, at an edge that a third one passes both ways
+  joined.points = { { 0, 0, 0 }, { 4, 0, 0 }, { 2, 4, 0 }, { 2, -4, 0 }, { -4, 1, 0 },
+    { -4, -1, 0 } };
+  joined.addCell({ 0, 1, 2 });
+  joined.addCell({ 1, 0, 3 });
+  joined.addCell({ 4, 0, 1, 0, 5 });
+  EXPECT_EQ(joined.outline().unfitEdges, 0u);
+  EXPECT_EQ(joined.outline().corners, std::vector<Index>({ 5, 0, 4, 0, 3, 1, 2 }));
 }
 
 TEST(Outlines, HeightsThatAreNoNumbersMatterNot)
@@ -306,6 +334,69 @@ TEST(Outlines, WallsAreOutlinedInTheirPlane)
   }
   EXPECT_EQ(wall.outline().plane, OutlinePlane::Zx);
   EXPECT_EQ(wall.outline().corners, before.corners);
+}
+
+/// A sheet that comes back above itself, further along z than along x: x, y as long as no more than
+/// a tenth of its area turns the other way there.
+TEST(Outlines, AFoldOfATenthChangesThePlane)
+{
+  const auto planeOf = [](double back)
+  {
+    OutlineCase sheet;
+    sheet.points = { { 0, 0, 0 }, { 0, 1, 0 }, { 100, 0, 0 }, { 100, 1, 0 }, { 100 - back, 0, 200 },
+      { 100 - back, 1, 200 } };
+    sheet.addCell({ 0, 2, 3, 1 });
+    sheet.addCell({ 2, 4, 5, 3 });
+    return sheet.outline().plane;
+  };
+  EXPECT_EQ(planeOf(10), OutlinePlane::Xy);
+  EXPECT_EQ(planeOf(12), OutlinePlane::Yz);
+}
+
+/// So many places that some have equal hashes; each is there twice, once with the other zero.
+TEST(Outlines, ManyPlacesStayApart)
+{
+  constexpr std::size_t kSide = 250;
+  Random random(3);
+  OutlineCase apart;
+  for (std::size_t k = 0; k < kSide * kSide; ++k)
+  {
+    const double x = double(3 * (k % kSide)) + random.unit(),
+                 y = double(3 * (k / kSide)) + random.unit();
+    const auto first = std::int64_t(apart.points.size());
+    apart.points.insert(apart.points.end(),
+      { { x, y, 0 }, { x + 1, y, 0 }, { x + 1, y + 1, 0 }, { x, y, -0.0 }, { x + 1, y + 1, -0.0 },
+        { x, y + 1, 0 } });
+    apart.addCell({ first, first + 1, first + 2 });
+    apart.addCell({ first + 3, first + 4, first + 5 });
+  }
+  const Outline made = apart.outline();
+  ASSERT_EQ(made.polygons.size(), kSide * kSide + 1);
+  EXPECT_EQ(made.rings.size(), kSide * kSide + 1);
+  ASSERT_EQ(made.corners.size(), 4 * kSide * kSide);
+  for (std::size_t i = 0; i < made.corners.size(); ++i)
+  {
+    ASSERT_EQ(made.corners[i] / 6, made.corners[i - i % 4] / 6) << "a corner of another square";
+  }
+  EXPECT_EQ(made.unfitEdges, 0u);
+}
+
+/// More points at one place than are sorted between two polls.
+TEST(Outlines, ManyPointsAtOnePlaceAreOne)
+{
+  constexpr std::int64_t kCells = 10000;
+  OutlineCase wheel;
+  for (std::int64_t k = 0; k < kCells; ++k)
+  {
+    const auto at = [](std::int64_t i) { return double(i) - double(kCells) / 2; };
+    wheel.points.insert(wheel.points.end(),
+      { { 0, 0, 0 }, { 1e8 - at(k) * at(k), at(k), 0 },
+        { 1e8 - at(k + 1) * at(k + 1), at(k + 1), 0 } });
+    wheel.addCell({ 3 * k, 3 * k + 1, 3 * k + 2 });
+  }
+  const Outline made = wheel.outline();
+  EXPECT_EQ(made.rings, std::vector<Index>({ 0, Index(kCells) + 2 }));
+  EXPECT_EQ(made.corners[0], 0u);
 }
 
 TEST(Outlines, EdgesThatCannotJoinAreCounted)
