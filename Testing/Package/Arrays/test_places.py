@@ -4,12 +4,14 @@
 import pickle
 import tracemalloc
 import unittest
+import unittest.mock
 import warnings
 
 import numpy as np
 from adaptivehilbertdelaunay import (
     LinearInterpolator, NaturalNeighborInterpolator, NearestInterpolator, delaunay,
 )  # fmt: skip
+from adaptivehilbertdelaunay import _library as library
 from arraysupport import SQUARE, cloud
 
 
@@ -121,6 +123,20 @@ class SourceTest(unittest.TestCase):
         self.addCleanup(tracemalloc.stop)
         self.assertEqual(f(0.5, 0.5), expected)
         self.assertLess(tracemalloc.get_traced_memory()[1], 8 * 20000)
+
+    def test_a_limit_counts_few_results_too(self):
+        points, places = cloud(1, 100), cloud(2, 20000)
+        plain = delaunay(points)
+        made = delaunay(points, memory_limit=plain._job.estimate())
+
+        def refusal():
+            with self.assertRaisesRegex(MemoryError, "20000 places may take") as found:
+                made.interpolate(np.ones(100), places)
+            return str(found.exception)
+
+        said = refusal()
+        with unittest.mock.patch.object(library, "FEW_BYTES", 0):
+            self.assertEqual(refusal(), said)
 
 
 if __name__ == "__main__":
