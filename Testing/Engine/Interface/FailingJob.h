@@ -34,6 +34,11 @@ void expectAnyAllocationCanFail(JobRun& run, const Look& look)
     account.failAt = k;
     const ahd_status status = run.run();
     account.failAt = 0;
+    if (account.allocations < k) // where the reading of the memory that is available was kept
+    {
+      ASSERT_EQ(status, AHD_OK) << ahd_message(run.job());
+      continue;
+    }
     ASSERT_EQ(status, AHD_OUT_OF_MEMORY) << "allocation " << k << " of " << all;
     ASSERT_LE(account.held, before + 200) << "allocation " << k; // the message
     ASSERT_STRNE(ahd_message(run.job()), "");
