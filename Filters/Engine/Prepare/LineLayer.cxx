@@ -207,9 +207,10 @@ bool LineLayer::findStopsOfOthers(const Way& way, Index from)
   std::vector<Index> vertices = { surface.origin(begin.halfEdge) };
   for (const SegmentPath::Met& met : path_->met())
   {
-    if (!met.isVertex)
+    if (!met.isVertex) // it crosses others, and is no part of the surface
     {
-      return true; // it crosses others, and is no part of the surface
+      stops_.clear();
+      return true;
     }
     vertices.push_back(surface.origin(met.halfEdge));
     stopAtVertex(vertices.back());
@@ -267,7 +268,7 @@ bool LineLayer::cross(const Way& way, HalfEdge h)
   }
   const bool isShared = surface.isConstrained(h);
   Stop stop = { crossingOf(segment, edge), kNoIndex };
-  const SurfacePlace onEdge = placer_->onEdge(h, stop.at);
+  const SurfacePlace onEdge = placer_->onEdge(std::min(h, surface.twin(h)), stop.at);
   placer_->startAt(h / 3);
   if (!pointAt(stop.at, !isShared, onEdge, stop.id))
   {
@@ -285,12 +286,17 @@ bool LineLayer::cross(const Way& way, HalfEdge h)
 /// Divides a piece that is too long. Returns false if cancelled, or if there are too many points.
 bool LineLayer::divide(const Way& way, const Stop& from, const Stop& to, bool isOnSurface)
 {
-  const double length = lengthOf(to.at.x - from.at.x, to.at.y - from.at.y);
-  if (!(lines_.maximumLength > 0.0 && length > lines_.maximumLength))
+  double length = lengthOf(to.at.x - from.at.x, to.at.y - from.at.y), most = lines_.maximumLength;
+  if (!(most > 0.0 && length > most))
   {
     return true;
   }
-  const double parts = std::ceil(length / lines_.maximumLength);
+  if (std::isinf(length))
+  {
+    length = lengthOf(to.at.x / 4 - from.at.x / 4, to.at.y / 4 - from.at.y / 4);
+    most /= 4;
+  }
+  const double parts = std::ceil(length / most);
   areTooMany_ = !(parts - 1.0 <= double(kMaximumPoints));
   // In one direction whatever that of the segment is.
   const bool isForward = lexicographicallyLess(from.at, to.at);

@@ -41,7 +41,9 @@ struct LinesToLay
 /// the edge rounds to an end of the segment, nothing is added. Vertices on the segment become
 /// points of it. A piece longer than the maximum is divided into the fewest equal parts that are
 /// not, but for rounding. One point is added at each place, however many segments pass there. So
-/// the points are a function of the set of the segments, whatever their order and directions.
+/// the places are a function of the set of the segments, whatever their order and directions, and
+/// so are the heights of points on the surface. Of segments that are divided elsewhere at the same
+/// place, the first one decides on the height.
 ///
 /// A segment that does not lie on the surface, but is a row of its edges, is led through the points
 /// that others get on these.

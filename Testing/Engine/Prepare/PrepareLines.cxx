@@ -308,6 +308,15 @@ TEST(PrepareLines, NoPieceIsLongerThanTheMaximum)
   }
 }
 
+TEST(PrepareLines, AreDividedEvenIfTheirLengthIsNoDouble)
+{
+  PrepareCase given(grid(3), { { { -1.7e308, 0, 0 } }, { { 1.7e308, 0, 1 } } }, { { 0, 1 } });
+  given.request.maximumSegmentLength = 1e308;
+  const PreparedInput out = prepared(given.request);
+  ASSERT_EQ(out.addedToLines(), 3u);
+  EXPECT_EQ(out.place(12), (Xyz{ { 0, 0, 0.5 } }));
+}
+
 TEST(PrepareLines, AreDividedBetweenPointsOfTheInputToo)
 {
   PrepareCase given(grid(3), {}, { { 0, 8 } });

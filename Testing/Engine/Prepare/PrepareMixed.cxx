@@ -94,6 +94,49 @@ TEST(PrepareMixed, FromAPointWithAHeightToOneWithoutLieOnTheSurface)
   EXPECT_EQ(chains.offsets[1], 2) << "none between heights";
 }
 
+/// Of the points added to lines, in the order of the numbers.
+std::vector<Xyz> addedOf(const PreparedInput& out)
+{
+  std::vector<Xyz> added;
+  for (std::size_t k = 0; k < out.addedToLines(); ++k)
+  {
+    added.push_back(out.place(out.inputCount() + out.sourceCount() + k));
+  }
+  std::sort(added.begin(), added.end());
+  return added;
+}
+
+TEST(PrepareMixed, HaveTheSameHeightsInBothDirections)
+{
+  const std::vector<Xyz> input = { { { 0, 0, 0 } }, { { 9, 0, 0 } }, { { 9, 9, 0 } },
+    { { 0, 9, 0 } } };
+  std::vector<Xyz> source = { { { 4, 1, 1.0 / 3 } }, { { 5, 8, 7.7 } } };
+  Cells there = { { 0, 1 } }, back = there;
+  for (std::int64_t k = 0; k < 40; ++k)
+  {
+    source.push_back({ { 2, 1.3 + 0.17 * double(k), kNoHeight } });
+    source.push_back({ { 7, 1.7 + 0.15 * double(k), kNoHeight } });
+    there.push_back({ 2 * k + 2, 2 * k + 3 });
+    back.push_back({ 2 * k + 3, 2 * k + 2 });
+  }
+  PrepareCase first(input, source, there), second(input, source, back);
+  const std::vector<Xyz> added = addedOf(laid(first, SourceHeights::Mixed));
+  ASSERT_GT(added.size(), 40u);
+  EXPECT_EQ(added, addedOf(laid(second, SourceHeights::Mixed)));
+}
+
+TEST(PrepareMixed, OneThatCrossesAnotherIsDividedAlikeInBothDirections)
+{
+  const std::vector<Xyz> input = { { { -5, -5, 0 } }, { { 15, -5, 0 } }, { { 15, 15, 0 } },
+    { { -5, 15, 0 } }, { { 3, 0, 8 } } };
+  const std::vector<Xyz> source = { { { 7, -1, 8 } }, { { 7, 1, 8 } }, { { 0, 0, 8 } },
+    { { 10, 0, 8 } }, { { 6, 0.5, kNoHeight } }, { { 8, 0.6, kNoHeight } } };
+  PrepareCase there(input, source, { { 0, 1 }, { 2, 3 }, { 4, 5 } });
+  PrepareCase back(input, source, { { 0, 1 }, { 3, 2 }, { 4, 5 } });
+  there.request.maximumSegmentLength = back.request.maximumSegmentLength = 4.0;
+  EXPECT_EQ(addedOf(laid(there, SourceHeights::Mixed)), addedOf(laid(back, SourceHeights::Mixed)));
+}
+
 } // namespace
 } // namespace test
 } // namespace ahd
