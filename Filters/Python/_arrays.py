@@ -78,8 +78,8 @@ def delaunay(
         Constraints with points of their own, which follow `points` in the result, in this order: polygons and rings are
         loops, lines are lines, points just points. A geometry is anything with `__geo_interface__` (shapely's,
         a GeoDataFrame) or a mapping as in GeoJSON, collections included; an array is a ring. A ring may end with its
-        first point; empty geometries and None are nothing. Where a geometry has no z, its z is NaN; if none has one,
-        heights and values are those of the surface (`source_heights` is 'surface').
+        first point; empty geometries and None are nothing. If none has a z, heights and values are those of the surface
+        (`source_heights` is 'surface'); if some have one, those of the others are (it is 'mixed', unless 'surface').
         All rings count alike for `fill_rule`: with 'even_odd' a place in two polygons is outside, and so are polygons
         in others; dissolve them before (``gdf.union_all()``) to keep all that lies in any. Rings that cross themselves
         or others are treated as `crossings` says.

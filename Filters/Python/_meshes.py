@@ -14,7 +14,8 @@ from . import _raster, _vtk
 from ._geometry import constraints_of
 from ._input import PLANES, bytes_of, chosen_plane, polygon_of, real_of
 from ._interface import (
-    HEIGHTS_FROM_SURFACE, PLANE_BEST_FIT, SAY_TRIANGULATION, WORDS_OF_CLASS, WORDS_OF_NUMPY, say, threads_told)
+    HEIGHTS_FROM_SURFACE, HEIGHTS_MIXED, HEIGHTS_OWN, PLANE_BEST_FIT, SAY_TRIANGULATION, WORDS_OF_CLASS, WORDS_OF_NUMPY,
+    say, threads_told)
 from ._keywords import MESH_KEYWORDS
 from ._names import value_of
 from ._sampling import METHODS, OUTSIDE
@@ -175,7 +176,7 @@ def _constrain(algorithm, port, to_constrain, edge_source, constraints, mesh):
 
 def _mesh_of(constraints, algorithm, mesh):
     """Geometries as a pyvista.PolyData. Where none has a z, they lie on the surface: of a mesh in one height at that,
-    else they take theirs from it."""
+    else they take theirs from it, as do those without a z where others have one."""
     made = constraints_of(constraints)
     points = made.source(True)
     if made.points.shape[1] == 2:
@@ -184,6 +185,8 @@ def _mesh_of(constraints, algorithm, mesh):
             points[:, 2] = low
         else:
             algorithm.SetSourceHeights(HEIGHTS_FROM_SURFACE)
+    elif algorithm.GetSourceHeights() == HEIGHTS_OWN and numpy.isnan(points[:, 2]).any():
+        algorithm.SetSourceHeights(HEIGHTS_MIXED)
     cells = {name: numpy.concatenate([numpy.r_[len(chain), chain] for chain in chains])
              for name, chains in (("lines", made.lines), ("faces", made.loops)) if chains}
     return pyvista.PolyData(points, **cells)

@@ -21,7 +21,7 @@ def _constrained(
     constraints: Any, others: Mapping[str, Any], isInSpace: bool, settings: Dict[str, Any]
 ) -> Tuple[Optional[np.ndarray], Dict[str, Any], Dict[str, Any]]:
     """Source points, chains and settings for constraints that bring their points. `others`: their names, and None.
-    Without a z of their own, their heights are those of the surface."""
+    Heights that they lack are those of the surface."""
     for name, value in others.items():
         if value is not None:
             raise ValueError("constraints bring points of their own: give either these or %s" % name)
@@ -30,6 +30,8 @@ def _constrained(
         return None, {}, {**settings, "source_heights": "own", "points_as_line": False}
     if made.points.shape[1] == 2:
         settings = {**settings, "source_heights": "surface"}
+    elif settings["source_heights"] == "own" and np.isnan(made.points[:, 2]).any():
+        settings = {**settings, "source_heights": "mixed"}
     return made.source(isInSpace), {"lines": made.lines, "loops": made.loops}, settings
 
 

@@ -83,7 +83,8 @@ def delaunay_2d(
         Constraints with points of their own, which are triangulated too and follow those of the mesh. A geometry is
         anything with `__geo_interface__` (shapely's, a GeoDataFrame), a mapping as in GeoJSON, a ring as an array of
         coordinates, or a sequence of these: `help(adaptivehilbertdelaunay.delaunay)` says how they are taken. Where
-        none has a z, their points lie on the surface (`heights` is 'surface'), or at the mesh's own z if it is flat.
+        none has a z, their points lie on the surface (`heights` is 'surface'), or at the mesh's own z if it is flat;
+        where some have one, those of the others do (it is 'mixed', unless 'surface').
     plane : {"automatic", "best_fit", "xy"} or vtkAbstractTransform
         The plane of the triangulation: the best-fitting plane, x and y ("xy"), or x and y of the transformed points;
         "automatic": x and y, or for points that stand like a wall the best-fitting plane, with a warning. Like a wall:

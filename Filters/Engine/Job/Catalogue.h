@@ -190,8 +190,9 @@ constexpr Row kRows[] = {
     "without heights, {take_heights}." },
   { Topic::Triangulation, "no closed line", "lines_unclosed", "{no_closed_line}" },
   { Topic::Triangulation, "off the surface", "points_off_surface !source_apart",
-    "{points_off_surface} of {source_points} {points_of_source} lie outside the surface of the "
-    "input and keep their own z (see {source_heights})." },
+    "{points_off_surface} of {source_points} {points_of_source} lie outside the surface "
+    "{heights_are_mixed?that heights come from and stay without one|of the input and keep their "
+    "own z} (see {source_heights})." },
   { Topic::Triangulation, "crossing", "segments_crossing",
     "{segments_crossing}{of_segments} were left out, because they cross others that come before "
     "them; the first is in {chain} {first_crossing_cell} and crosses {chain} "

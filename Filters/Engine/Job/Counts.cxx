@@ -153,6 +153,8 @@ Facts factsOf(const Job& job, Facts known)
     known = factsOf(made->sampling.report, std::move(known));
     known.addMissing({ "splits", made->asked.split || made->points.addedToLines() > 0 }, given);
     known.addMissing({ "cell_ids", !made->asked.idsAreOfInput }, given);
+    const bool areMixed = made->asked.sourceHeights == SourceHeights::Mixed;
+    known.addMissing({ "heights_are_mixed", areMixed }, given);
   }
   const bool isKnown = job.madeResult() || job.report().status != Status::Ok;
   return isKnown ? factsOf(job.report(), std::move(known)) : known;

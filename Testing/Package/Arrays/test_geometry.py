@@ -163,9 +163,12 @@ class HeightsTest(KeywordTest):
         np.testing.assert_allclose(made.interpolate(HIGH[:, 2], [[4, 4], [-1, -1]]), [308, np.nan])
 
     def test_some(self):
-        with self.assertWarnsRegex(DelaunayWarning, "z that is NaN"):
-            made = delaunay(HIGH, constraints=[line([2, 2, 50], [8, 7, 60]), line([1, 8], [3, 9])])
-        np.testing.assert_array_equal(made.points[400:, 2], [50, 60, np.nan, np.nan])
+        """Those without a z lie on the surface of the points and of those with one."""
+        some = [line([2, 2, 50], [8, 7, 60]), line([1, 8], [3, 9]), {"type": "Point", "coordinates": [5, 4.5]}]
+        made = delaunay(HIGH, constraints=some)
+        np.testing.assert_allclose(made.points[400:405, 2], [50, 60, 309, 312, 55])
+        low = delaunay(HIGH, constraints=some, source_heights="surface")
+        np.testing.assert_allclose(low.points[400:405, 2], [304, 315, 309, 312, 309.5])
 
     def test_means(self):
         """Heights of the points are those that duplicates='mean_z' makes."""

@@ -53,6 +53,7 @@ CASES = {
     "trimmed all": ({"trimmed_triangles": 50, "kept_triangles": 0, "cells": 0, "bare_vertices": 30}, 1.5, False),
     "bare": ({"trimmed_triangles": 8, "kept_triangles": 42, "bare_vertices": 1}, 0.0, False),
     "off the surface": ({"points_off_surface": 4}, 0.0, False),
+    "off a surface with heights of the source": ({"points_off_surface": 4, "heights_are_mixed": 1}, 0.0, False),
     "apart": ({"source_apart": 1, "points_off_surface": 9, **BOXES}, 0.0, False),
     "apart in a plane": ({"source_apart": 1, "is_projected": 1, **BOXES}, 0.0, False),
     "loops around no point": ({"loops_miss_input": 1, **BOXES}, 0.0, False),
@@ -199,18 +200,18 @@ class MessagesTest(unittest.TestCase):
     def test_settings_that_are_named_are_there(self):
         tables = json.loads((ROOT / "Testing/Support/settings.json").read_text(encoding="utf-8"))
         of_class = {name for table in ("delaunay", "interpolation") for name in tables[table]["settings"]}
-        others = {"NaN", "KiB", "zGradient", "ZeroIsMissing"}
+        others = {"NaN", "KiB", "zGradient"}
         for text in self.texts("class"):
             self.assertEqual(set(re.findall(r"\b(?!vtk)\w*[a-z][A-Z]\w*", text)) - of_class - others, set(), text)
             self.assertNotRegex(text, r"AHD_|\w=|`")
         of_c = {*engine.names(engine.INT_SETTINGS), *engine.names(engine.DOUBLE_SETTINGS),
-                *engine.names(engine.INPUT_ARRAYS), "zero_is_missing"}  # fmt: skip
+                *engine.names(engine.INPUT_ARRAYS)}  # fmt: skip
         for text in self.texts("C"):
             quoted = set(re.findall(r'(?<!is )(?<!both )"(\w+)"', text))
             self.assertEqual(quoted - of_c, set(), text)
         for text in self.texts("NumPy"):
             named = re.findall(r"`(\w+)`|(\w+)='|\b([a-z]+_[a-z_]+)", text)
-            known = {*DEFAULTS, "source_points", "plane", "best_fit", "convex_hull", "zero_is_missing"}
+            known = {*DEFAULTS, "source_points", "plane", "best_fit", "convex_hull"}
             self.assertEqual({name for row in named for name in row if name} - known, set(), text)
 
     def test_each_is_a_warning(self):

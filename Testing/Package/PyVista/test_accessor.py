@@ -180,6 +180,9 @@ class DelaunayTest(unittest.TestCase):
         self.assertTrue(numpy.isnan(in_hole["Elevation"][0]))
         made = hill.adaptive.delaunay_2d(constraints={"type": "LineString", "coordinates": [(1, 1, 5), (9, 9, 6)]})
         self.assertEqual(made.points[-2:, 2].tolist(), [5, 6])
+        ridge = {"type": "LineString", "coordinates": [(1, 1, 5), (9, 9, 6)]}
+        made = hill.adaptive.delaunay_2d(constraints=[ridge, {"type": "Point", "coordinates": (500, 400)}])
+        self.assertEqual(made.points[-3:, 2].round(9).tolist(), [5, 6, 900])
         self.assertEqual(hill.adaptive.delaunay_2d(constraints=[]).n_cells, hill.adaptive.delaunay_2d().n_cells)
 
     def test_alpha_and_lengths(self):
