@@ -13,6 +13,7 @@
 #include "vtkSMPropertyIterator.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMProxyProperty.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSmartPointer.h"
 
@@ -342,7 +343,10 @@ public:
     if (isInterpolation)
     {
       SuggestRaster(proxy);
-      UseDimensions(proxy);
+      if (!proxy->GetSessionProxyManager()->GetInLoadXMLState()) // which has all settings
+      {
+        UseDimensions(proxy);
+      }
       proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this->Dimensions);
     }
     KeepAllInRange(proxy);

@@ -198,7 +198,8 @@ def _observe(proxy):
     proxy._ahd_observed = True
     if proxy.GetXMLName() == RASTER:
         _suggest_raster(proxy)
-        _use_dimensions(proxy)
+        if not proxy.GetSessionProxyManager().GetInLoadXMLState():  # which has all settings
+            _use_dimensions(proxy)
     old, new = NAMES
     if proxy.GetProperty(old):
         _keep_equal(proxy, old if _value(proxy, old) else new)

@@ -110,6 +110,20 @@ def test_a_state_with_the_old_name():
     check(FindSource("surface").PointData["Fate"], "the old name in a state switched nothing on")
 
 
+def test_dimensions_that_are_not_used():
+    """They were given once, and then chosen cells after all."""
+    ResetSession()
+    reader = XMLPolyDataReader(FileName=[write_vtp("dimensions.vtp", [(0, 0, 0), (4, 0, 1), (0, 6, 2)])])
+    raster = AdaptiveHilbertInterpolation2D(registrationName="raster", Input=reader, Dimensions=[7, 9])
+    for wanted in ("Dimensions", "Cell Size"):
+        raster.RasterSize = wanted
+        SaveState(scratch("dimensions.pvsm"))
+        ResetSession()
+        LoadState(scratch("dimensions.pvsm"))
+        raster = FindSource("raster")
+        check_equal((raster.RasterSize, list(raster.Dimensions)), (wanted, [7, 9]), "the raster of the state")
+
+
 def test_a_state_with_delaunay_2d():
     """A state of ParaView's own filter, with nothing changed in it but the filter's name."""
     ResetSession()
@@ -143,6 +157,7 @@ def test_a_state_with_delaunay_2d():
 
 
 test_states()
+test_dimensions_that_are_not_used()
 test_a_state_with_the_old_name()
 test_a_state_with_delaunay_2d()
 print("passed: state")
