@@ -16,7 +16,7 @@ from typing import Any, Callable, List, Tuple
 
 import numpy as np
 
-from ._measured import lists_of
+from ._measured import length, lists_of
 
 #: As many places or edges at a time as the cache has room for.
 BLOCK = 1 << 14
@@ -146,7 +146,7 @@ def weights_in(x: np.ndarray, y: np.ndarray, places: np.ndarray) -> np.ndarray:
     first_x, first_y, second_x, second_y = x[1] - x[0], y[1] - y[0], x[2] - x[0], y[2] - y[0]
     to_x, to_y = places[:, 0] - x[0], places[:, 1] - y[0]
     area = first_x * second_y - first_y * second_x
-    area[abs(area) <= 1e-6 * np.hypot(first_x, first_y) * np.hypot(second_x, second_y)] = np.nan
+    area[abs(area) <= 1e-6 * length(first_x, first_y) * length(second_x, second_y)] = np.nan
     one, two = (to_x * second_y - to_y * second_x) / area, (first_x * to_y - first_y * to_x) / area
     return np.stack((1 - one - two, one, two))
 

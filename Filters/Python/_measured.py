@@ -21,6 +21,15 @@ def lists_of(owners: np.ndarray, items: np.ndarray, count: int, most: int, dtype
     return Adjacency(frozen(offsets), frozen((keys % most).astype(dtype) if most else keys.astype(dtype)))
 
 
+def length(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Of each vector; of any scale, and with the same bits on every system."""
+    largest = np.maximum(abs(x), abs(y))
+    scale = np.ldexp(1.0, np.frexp(largest)[1] - 1)  # a power of two
+    x, y = x / scale, y / scale
+    made: np.ndarray = np.sqrt(x * x + y * y) * scale
+    return made
+
+
 class Measured(Sampled):
     """The part of a Triangulation that is about its triangles as a mesh. Sizes are those in the plane of the
     triangulation, in the unit of the points, from coordinates in float64."""
@@ -80,7 +89,7 @@ class Measured(Sampled):
 
         def make() -> np.ndarray:
             x, y = (self.plane_points[:, k][self.edges] for k in range(2))
-            return frozen(np.hypot(x[:, 1] - x[:, 0], y[:, 1] - y[:, 0]))
+            return frozen(length(x[:, 1] - x[:, 0], y[:, 1] - y[:, 0]))
 
         made: np.ndarray = self._made("edge_lengths", make)
         return made

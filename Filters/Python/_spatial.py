@@ -11,6 +11,7 @@ import numpy as np
 from ._cubic import cross, weights_in
 from ._input import DEFAULTS, Request
 from ._made import frozen
+from ._measured import length
 from ._raster import real_numbers
 from ._triangulation import Triangulation
 
@@ -167,7 +168,7 @@ class Delaunay:
         corners = self.points[self.triangulation.triangles]
         first, second = corners[:, 0] - corners[:, 2], corners[:, 1] - corners[:, 2]
         area = cross(first, second)
-        lost = abs(area) <= 1000 * np.finfo(float).eps * np.hypot(*first.T) * np.hypot(*second.T)
+        lost = abs(area) <= 1000 * np.finfo(float).eps * length(*first.T) * length(*second.T)
         rows = np.stack((second[:, 1], -second[:, 0], -first[:, 1], first[:, 0]), axis=1)
         rows /= np.where(lost, np.nan, area)[:, None]
         made = np.concatenate((rows.reshape(-1, 2, 2), corners[:, 2:]), axis=1)
@@ -179,7 +180,8 @@ class Delaunay:
         """(t, 4) float64: the unit normal of each triangle on the paraboloid, which points down, and its offset."""
         corners = self.lift_points(self.points)[self.triangulation.triangles]
         normals = np.cross(corners[:, 2] - corners[:, 0], corners[:, 1] - corners[:, 0])
-        normals /= np.linalg.norm(normals, axis=1)[:, None]
+        x, y, z = normals.T
+        normals /= length(length(x, y), z)[:, None]
         return np.concatenate((normals, -(normals * corners[:, 0]).sum(axis=1)[:, None]), axis=1)
 
     def lift_points(self, x: Any) -> np.ndarray:

@@ -17,6 +17,7 @@ import numpy as np
 from ._cubic import Network, Patches
 from ._interpolators import NearestInterpolator, _Interpolator
 from ._made import frozen
+from ._measured import length
 from ._raster import unmasked
 from ._sampling import check_outside
 from ._spatial import Delaunay, QhullError, plane_points, triangulated, tsearch
@@ -152,9 +153,9 @@ class CloughTocher2DInterpolator(_OnDelaunay):
     >>> import numpy as np
     >>> from adaptivehilbertdelaunay.scipy import CloughTocher2DInterpolator
     >>> points = np.random.default_rng(1).random((1000, 2))
-    >>> wave = CloughTocher2DInterpolator(points, np.sin(3 * points[:, 0]))
-    >>> wave(0.4, [0.2, 0.6]).round(3).tolist()
-    [0.932, 0.932]
+    >>> cubes = CloughTocher2DInterpolator(points, points[:, 0] ** 3)
+    >>> cubes(0.4, [0.2, 0.6]).round(3).tolist()
+    [0.064, 0.064]
     """
 
     def __init__(
@@ -243,7 +244,7 @@ class NearestNDInterpolator(_Called, NearestInterpolator):
         if distance_upper_bound < np.inf:
             has = np.flatnonzero(ids == ids)
             apart = flat[has] - self.points[ids[has].astype(np.intp)]
-            ids[has[~(np.hypot(*apart.T) < distance_upper_bound)]] = np.nan
+            ids[has[~(length(*apart.T) < distance_upper_bound)]] = np.nan
         return self._taken(ids, places.shape[:-1])
 
 
