@@ -6,6 +6,7 @@
 #include "Engine/Job/OutlineRun.h"
 #include "Execution/vtkAHDMessages.h"
 #include "Input/vtkAHDAppendedPolygons.h"
+#include "Input/vtkAHDHeldCopy.h"
 #include "Output/vtkAHDRings.h"
 #include "Pipeline/vtkAHDCellsView.h"
 #include "Pipeline/vtkAHDContext.h"
@@ -114,6 +115,7 @@ constexpr char kGroups[] = "Groups", kGhosts[] = "Ghosts"; // names of the numbe
 vtkSmartPointer<vtkPolyData> vtkPlanarSurfaceOutline::Surface::GetPart(
   const vtkAHDContext& context) const
 {
+  context.GetProgress().Watch(this->Data);
   vtkAHDCellsView(this->Data->GetPolys(), kPolygons).Open(context);
   auto part = vtkSmartPointer<vtkPolyData>::New();
   part->SetPoints(this->Data->GetPoints());
@@ -171,11 +173,8 @@ bool vtkPlanarSurfaceOutline::Gather(Surface& surface)
   std::vector<vtkSmartPointer<vtkDataObject>> all;
   this->Controller->Gather(part, all, 0);
   const bool isFirst = this->Controller->GetLocalProcessId() == 0;
-  if (isFirst)
-  {
-    surface = Join(all);
-  }
-  return isFirst;
+  return isFirst &&
+    Attempt(this, [&](const vtkAHDContext&) { surface = Join(all); }) == ahd::Status::Ok;
 }
 
 bool vtkPlanarSurfaceOutline::IsDistributed() const
@@ -318,8 +317,7 @@ int vtkPlanarSurfaceOutline::RequestData(
 vtkPlanarSurfaceOutline::Surface vtkPlanarSurfaceOutline::Hold(vtkPolyData* input, Lacks& lacks)
 {
   Surface surface;
-  surface.Data = vtkSmartPointer<vtkPolyData>::New();
-  surface.Data->ShallowCopy(input);
+  surface.Data = vtkAHDHeldCopy(input);
   surface.FirstCell = input->GetNumberOfVerts() + input->GetNumberOfLines();
   const vtkIdType cells = surface.FirstCell + input->GetNumberOfPolys() +
     input->GetNumberOfStrips();

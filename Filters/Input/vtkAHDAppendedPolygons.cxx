@@ -33,7 +33,9 @@ vtkSmartPointer<vtkPolyData> vtkAHDAppendPolygons(
       polygons->InsertNextCell(ids->GetNumberOfIds());
       for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
       {
-        polygons->InsertCellPoint(first + ids->GetId(i));
+        const vtkIdType id = ids->GetId(i);
+        const bool isOwn = id >= 0 && id < data->GetNumberOfPoints();
+        polygons->InsertCellPoint(isOwn ? first + id : -1); // no other part's
       }
       numbers->InsertNextValue(given ? given->GetComponent(k, 0) : 0.0);
     }

@@ -88,8 +88,9 @@ def _joined(backend, given, group_name):
     for block in blocks:
         offsets, ids = ids_of(backend, block.polygons, "polygons")
         if ids is not None:
-            cells.append(ids[offsets[0]:offsets[-1]] + numpy.int64(begin))
-            counts.append(numpy.diff(offsets))
+            own, points = ids[offsets[0]:offsets[-1]], block.points.GetNumberOfPoints()
+            cells.append(numpy.where((own >= 0) & (own < points), own + numpy.int64(begin), -1))  # no other block's
+        counts.append(numpy.zeros(block.count, numpy.int64) if ids is None else numpy.diff(offsets))
         begin += block.points.GetNumberOfPoints()
     made.SetPoints(backend.vtkPoints())
     data, xyz = new_array(backend.vtkDoubleArray, begin, 3)
@@ -170,7 +171,7 @@ class _Outlining:
         job.set(memory_limit=min(limit * 1024, 2**62))
         job.set_progress(Progress(self))
         for name, array in (("points", coordinates(self._backend, surface.points.GetPoints())), ("cells", ids),
-                            ("cell_offsets", offsets), ("cell_groups", surface.numbers() if surface.count else None)):
+                            ("cell_offsets", offsets), ("cell_groups", None if ids is None else surface.numbers())):
             job.set_array(name, array)
         job.outline(report)
 

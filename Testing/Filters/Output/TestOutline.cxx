@@ -19,6 +19,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 using namespace ahdtest;
@@ -307,6 +308,41 @@ TEST(Outline, InputThatChangesMeanwhileIsAnError)
   EXPECT_EQ(outline.Said->Errors.size(), 1u);
 }
 
+/// An observer gives the input's vtkPoints another array: the outline is of the one it had.
+TEST(Outline, PointsThatAreReplacedMeanwhileAreHeld)
+{
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> surface;
+  surface->SetInputData(makeCloud(scatteredPoints(200000)));
+  surface->Update();
+  struct Replacer : vtkCommand
+  {
+    static Replacer* New() { return new Replacer; }
+    void Execute(vtkObject*, unsigned long, void* amount) override
+    {
+      if (*static_cast<double*>(amount) > 0.2)
+      {
+        vtkNew<vtkFloatArray> few;
+        few->SetNumberOfComponents(3);
+        few->SetNumberOfTuples(3);
+        this->Points->SetData(few);
+      }
+    }
+    vtkPoints* Points = nullptr;
+  };
+  std::array<double, 6> bounds, outlined;
+  surface->GetOutput()->GetBounds(bounds.data());
+  vtkNew<Replacer> replacer;
+  replacer->Points = surface->GetOutput()->GetPoints();
+  WatchedOutline outline;
+  outline->AddObserver(vtkCommand::ProgressEvent, replacer);
+  vtkPolyData* const out = outline.Of(surface->GetOutput());
+  EXPECT_EQ(surface->GetOutput()->GetNumberOfPoints(), 3);
+  ASSERT_EQ(out->GetNumberOfCells(), 1);
+  out->GetBounds(outlined.data());
+  EXPECT_EQ(std::vector<double>(outlined.begin(), outlined.begin() + 4),
+    std::vector<double>(bounds.begin(), bounds.begin() + 4));
+}
+
 /// Blocks are one surface: what two have in common at an edge is joined.
 TEST(Outline, BlocksAreOneSurface)
 {
@@ -337,6 +373,29 @@ TEST(Outline, BlocksAreOneSurface)
   outline->Update();
   ASSERT_EQ(outline.Said->Warnings.size(), 1u);
   EXPECT_NE(outline.Said->Warnings[0].find("1 block is not"), std::string::npos);
+}
+
+TEST(Outline, IdsOfABlockAreItsOwn)
+{
+  const auto squares = fourSquares();
+  squares->GetPolys()->InsertNextCell({ 0, 1, 12 }); // of 10 points
+  const auto more = makeCloud({ { 7, 0, 0 }, { 8, 0, 0 }, { 8, 1, 0 } });
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell({ 0, 1, 2 });
+  polys->InsertNextCell({ 0, 1, -5 });
+  more->SetPolys(polys);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, squares);
+  blocks->SetBlock(1, more);
+  WatchedOutline outline;
+  outline->SetInputData(blocks);
+  outline->Update();
+  const auto rings = ringsOf(outline->GetOutput());
+  ASSERT_EQ(rings.size(), 2u);
+  EXPECT_EQ(rings[0].size(), 10u);
+  EXPECT_EQ(rings[1].size(), 3u);
+  ASSERT_EQ(outline.Said->Warnings.size(), 1u);
+  EXPECT_NE(outline.Said->Warnings[0].find("2 cells have fewer"), std::string::npos);
 }
 
 TEST(Outline, TheFirstPieceHasAll)

@@ -99,6 +99,23 @@ class OutlineTest(unittest.TestCase):
         self.assertEqual(self.said, [("WarningEvent", "1 block is not in the outline: not vtkPolyData.")])
         self.assertEqual(self.run_on(blocks()).GetNumberOfCells(), 0)
 
+    def test_ids_of_a_block_are_its_own(self):
+        left = source(FLAT[:4], polygons=[(0, 1, 2, 3), (0, 1, 6)])
+        right = source(FLAT[4:], polygons=[(0, 1, 2), (0, 1, -2)])
+        self.assertEqual([len(ring) for ring in rings_of(self.run_on(blocks(left, right)))], [5, 4])
+        self.assertEqual([(kind, text[:12]) for kind, text in self.said], [("WarningEvent", "2 cells have")])
+
+    def test_cells_without_points_have_numbers(self):
+        nothing = source(FLAT, polygons=[()])
+        nothing.GetCellData().AddArray(array("vtkIntArray", "Band", [3]))
+        self.assertEqual(self.run_on(nothing, GroupArrayName="Band").GetNumberOfCells(), 0)
+        self.assertEqual(self.said, [])
+        square = source(FLAT, polygons=[(0, 1, 2, 3)])
+        square.GetCellData().AddArray(array("vtkIntArray", "Band", [4]))
+        made = self.run_on(blocks(nothing, square), GroupArrayName="Band")
+        self.assertEqual((values_of(made, "Band"), len(rings_of(made))), ([4], 1))
+        self.assertEqual([(kind, text[:10]) for kind, text in self.said], [("WarningEvent", "1 cell has")])
+
     def test_bands_of_contours(self):
         """Areas of bands are those of their cells; the rings of a band touch those of the next."""
         surface = Filter()
