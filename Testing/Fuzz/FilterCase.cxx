@@ -323,9 +323,39 @@ void FilterCase::configure(vtkAdaptiveHilbertDelaunay2D* filter, unsigned run) c
   }
 }
 
+/// Of a coordinate of the points, in the plane.
+double FilterCase::largest() const
+{
+  double largest = 0.0;
+  auto sets = leavesOf(input_);
+  sets.push_back(source_);
+  for (vtkDataObject* data : sets)
+  {
+    auto* const set = vtkPointSet::SafeDownCast(data);
+    const vtkIdType count = set && set->GetPoints() ? set->GetNumberOfPoints() : 0;
+    for (vtkIdType id = 0; id < count; ++id)
+    {
+      double point[3];
+      set->GetPoint(id, point);
+      if (transform_)
+      {
+        transform_->TransformPoint(point, point);
+      }
+      for (const double number : point)
+      {
+        largest = std::isfinite(number) ? std::max(largest, std::abs(number)) : largest;
+      }
+    }
+  }
+  return largest;
+}
+
 std::map<std::string, double> FilterCase::ofSurface() const
 {
+  // segments are divided into some 30 parts at most
+  const double longest = head_[kEdge] % 4 == 3 ? this->largest() / 8.0 : 0.0;
   return {
+    { "MaximumSegmentLength", longest },
     { "SourceMode", bit(kModes, 0) },
     { "CrossingMode", bit(kModes, 1) },
     { "FillRule", bit(kModes, 2) },

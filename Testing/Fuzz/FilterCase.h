@@ -90,6 +90,7 @@ public:
 
 private:
   void readSource(ByteReader& bytes);
+  double largest() const;
   std::map<std::string, double> ofSurface() const;          // settings by name
   std::map<std::string, double> ofWork(unsigned run) const; // how it goes about it
 
