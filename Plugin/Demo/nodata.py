@@ -30,8 +30,9 @@ def notes(points):
     if len(levels) < 3:
         return []
     for odd, (low, high) in ((0, levels[[1, -1]]), (-1, levels[[0, -2]])):
-        away = max(low - levels[odd], levels[odd] - high)
-        if counts[odd] >= FEWEST and away > high - low:
+        with numpy.errstate(over="ignore"):  # of the largest doubles
+            away, extent = max(low - levels[odd], levels[odd] - high), high - low
+        if counts[odd] >= FEWEST and away > extent:
             number = written(levels[odd])
             return ["%s points have a %s of %s, far from all others; --nodata %s leaves them out" % (
                 thousands(int(counts[odd])), points.names[2], number, number)]  # fmt: skip

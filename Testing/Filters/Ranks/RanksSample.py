@@ -220,7 +220,7 @@ def failures_together():
                   ("A name of an array" if isinstance(other, str) else name) + " is not the same")
            for name, other, _ in other_values("interpolation")},
         **{name: (with_({}, **needed, **({name: other} if last else {})), name + " is not the same")
-           for name, other, needed in other_values("delaunay") if name not in OUTPUTS},
+           for name, other, needed in other_values("delaunay") if not {name, *needed} & set(OUTPUTS)},
         "places on some": (with_({}, places=make_places(some, 0) if last else None), "whether there are places"),
         "a limit on memory": (with_({}, MemoryLimit=1), "MemoryLimit allows 1.02 KB"),
         "a limit on one rank": (with_({}, MemoryLimit=int(last)), "may take"),

@@ -16,7 +16,7 @@ import numpy as np
 from adaptivehilbertdelaunay import _library as library
 
 job = library.Job()
-points = np.random.default_rng(1).random((400000, 2))
+points = np.random.default_rng(1).random((1500000, 2))
 job.set_array("points", points)
 
 class Stop(Exception):
@@ -65,7 +65,7 @@ class InterruptTest(unittest.TestCase):
         """Cancels the engine, raises the exception of its handler, and none is lost."""
         for how, name in (("default", "KeyboardInterrupt"), ("handler", "Stop"), ("changed", "Stop")):
             done = in_a_process(INTERRUPTED, how)
-            self.assertEqual(done.stdout.split("\n"), [name, "it was stopped", "True", "400000", ""], done.stderr)
+            self.assertEqual(done.stdout.split("\n"), [name, "it was stopped", "True", "1500000", ""], done.stderr)
             self.assertEqual(done.stderr, "")
 
     def test_control_c_ends_a_program(self):
