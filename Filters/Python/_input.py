@@ -313,7 +313,7 @@ class Request:
             self.settings["cell_ids"] = library.IDS_OF_SOURCE
         elif self.settings["source_heights"] != library.HEIGHTS_OWN:
             words = CHOICES["source_heights"]
-            raise ValueError("source_heights=%r needs source_points" % words[self.settings["source_heights"]])
+            raise ValueError("source_heights=%r needs source_points" % words[int(self.settings["source_heights"])])
         elif self.settings["points_as_line"]:
             raise ValueError("points_as_line needs source_points")
         self._take_chains(chains)
