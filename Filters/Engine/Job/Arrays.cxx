@@ -441,9 +441,9 @@ ArrayShape shapeOf(Job& job, const char* name)
 void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::uint64_t capacity)
 {
   const std::vector<Index>* const list = outlineList(job, name);
-  const ArrayShape shape = shapeOf(job, name);
-  const std::size_t numbers = shape.rows * shape.columns;
-  const unsigned types = list ? kId : rowOf(job, name).types;
+  const Row* const row = list ? nullptr : &rowOf(job, name);
+  const std::size_t numbers = list ? list->size() : row->rows(job.result()) * row->columns;
+  const unsigned types = list ? kId : row->types;
   if (type < kFloat32 || type > kUint8 || (bitOf(type) & types) == 0)
   {
     refuse(Reason::BadArray,
@@ -459,19 +459,17 @@ void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::u
   {
     return;
   }
-  const Target to = { { type, out, Context() }, numbers };
   if (list)
   {
-    check(copyIds(to, *list));
+    check(copyIds({ { type, out, Context() }, numbers }, *list));
     return;
   }
-  const Row& row = rowOf(job, name);
   JobResult& made = job.result();
   made.sampling.forget();
-  job.progress.reach(row.stage);
+  job.progress.reach(row->stage);
   job.withThreads(
     [&](const Context& context) {
-      check(row.write(made, { { type, out, context }, numbers }));
+      check(row->write(made, { { type, out, context }, numbers }));
     });
 }
 
