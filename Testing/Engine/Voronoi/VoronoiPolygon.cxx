@@ -3,6 +3,7 @@
 // Cells of the Voronoi diagram in a polygon of one's own: which polygons are taken, the same cells
 // however it is given, on many threads, in any order of the points and at every scale; cells of
 // many points. VoronoiCorners compares those of few with exact ones.
+#include "CellShapes.h"
 #include "Distributions.h"
 #include "EngineRun.h"
 #include "Executors.h"
@@ -38,28 +39,6 @@ VoronoiCells cellsIn(
   VoronoiCells cells;
   EXPECT_EQ(voronoiCells(engine.made, convex, cells, { nullptr, executor }), Status::Ok);
   return cells;
-}
-
-std::vector<Point> cellOf(const VoronoiCells& cells, std::size_t k)
-{
-  std::vector<Point> result;
-  for (std::int32_t i = cells.offsets[k]; i < cells.offsets[k + 1]; ++i)
-  {
-    result.push_back(
-      cells.points[static_cast<std::size_t>(cells.corners[static_cast<std::size_t>(i)])]);
-  }
-  return result;
-}
-
-double areaOf(const std::vector<Point>& corners)
-{
-  double twice = 0.0;
-  for (std::size_t i = 2; i < corners.size(); ++i)
-  {
-    const Point &a = corners[0], &b = corners[i - 1], &c = corners[i];
-    twice += (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-  }
-  return twice / 2;
 }
 
 Corners regularPolygon(std::size_t count, Point middle, double radius)

@@ -2,6 +2,7 @@
 //
 // The cells of the Voronoi diagram at the ends of the range of double, and where rounding could
 // show: the same cells at every scale, and none with an edge of length zero that need not have one.
+#include "CellShapes.h"
 #include "Distributions.h"
 #include "EngineRun.h"
 #include "ListOf.h"
@@ -36,28 +37,6 @@ std::vector<Point> scaled(std::vector<Point> points, int exponent)
     p = { std::ldexp(p.x, exponent), std::ldexp(p.y, exponent) };
   }
   return points;
-}
-
-std::vector<Point> cell(const VoronoiCells& cells, std::size_t k)
-{
-  std::vector<Point> result;
-  for (std::int64_t i = cells.offsets[k]; i < cells.offsets[k + 1]; ++i)
-  {
-    result.push_back(
-      cells.points[static_cast<std::size_t>(cells.corners[static_cast<std::size_t>(i)])]);
-  }
-  return result;
-}
-
-double areaOf(const std::vector<Point>& corners)
-{
-  double twice = 0.0;
-  for (std::size_t i = 2; i < corners.size(); ++i)
-  {
-    const Point &a = corners[0], &b = corners[i - 1], &c = corners[i];
-    twice += (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-  }
-  return twice / 2;
 }
 
 TEST(VoronoiScales, SameAtEveryScale)
@@ -100,7 +79,7 @@ TEST(VoronoiScales, NearVerticesInAHugeBox)
   for (std::size_t k = 0; k < 2; ++k)
   {
     double farthest = 0.0;
-    for (const Point& p : cell(cells, k))
+    for (const Point& p : cellOf(cells, k))
     {
       farthest = std::fabs(p.y) < 1.0 ? std::max(farthest, std::fabs(p.x)) : farthest;
     }
@@ -121,7 +100,7 @@ TEST(VoronoiScales, CentresBeyondAllDoubles)
     {
       const VoronoiCells cells = cellsOf(scaled(points, kExponent), clip);
       ASSERT_EQ(cells.sites.size(), 4u);
-      const auto area = [&](std::size_t k) { return areaOf(scaled(cell(cells, k), -kExponent)); };
+      const auto area = [&](std::size_t k) { return areaOf(scaled(cellOf(cells, k), -kExponent)); };
       EXPECT_NEAR(area(2), 0.5, 1e-9) << "a rectangle of 1 x 1/2, clip " << int(clip);
       EXPECT_NEAR(area(0), clip == VoronoiClip::Hull ? 0.125 : 0.375, 1e-9) << int(clip);
     }
@@ -146,7 +125,8 @@ TEST(VoronoiScales, CellsOfATurnedLatticeHaveFourCorners)
   {
     for (int j = 1; j + 1 < kSide; ++j)
     {
-      EXPECT_EQ(cell(cells, static_cast<std::size_t>(kSide * i + j)).size(), 4u) << i << ", " << j;
+      EXPECT_EQ(cellOf(cells, static_cast<std::size_t>(kSide * i + j)).size(), 4u)
+        << i << ", " << j;
     }
   }
 }
@@ -186,7 +166,7 @@ TEST(VoronoiScales, NoCellPassesTheWholeBorderByRounding)
   double area = 0.0;
   for (std::size_t k = 0; k < cells.sites.size(); ++k)
   {
-    area += areaOf(cell(cells, k));
+    area += areaOf(cellOf(cells, k));
   }
   EXPECT_NEAR(area, 7.0 * 12.0, 1e-9);
 }
@@ -240,7 +220,7 @@ TEST(VoronoiScales, CrossingsAtOnePlaceAreOneCorner)
   const VoronoiCells cells = cellsOf(points, VoronoiClip::Hull);
   for (std::size_t k = 0; k < cells.sites.size(); ++k)
   {
-    const std::vector<Point> corners = cell(cells, k);
+    const std::vector<Point> corners = cellOf(cells, k);
     for (std::size_t i = 0; i < corners.size(); ++i)
     {
       EXPECT_FALSE(corners[i] == corners[(i + 1) % corners.size()]) << "cell " << k << ", " << i;
