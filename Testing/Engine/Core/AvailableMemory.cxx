@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
 
 #if defined(__linux__)
@@ -33,9 +34,9 @@ class MemoryFiles
 {
 public:
   MemoryFiles()
-    : folder_(std::filesystem::path(testing::TempDir()) / "ahd_memory_files")
+    : folder_(std::filesystem::path(testing::TempDir()) /
+        ("ahd_memory_files" + std::to_string(std::random_device{}()))) // tests run side by side
   {
-    std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_ / "memory");
   }
   ~MemoryFiles() { std::filesystem::remove_all(folder_); }

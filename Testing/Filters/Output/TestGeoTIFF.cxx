@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,9 @@ struct Written
   /// The last numbers of the file, empty if there is none.
   std::vector<double> Write()
   {
-    const auto path = std::filesystem::path(testing::TempDir()) / "größe.tif";
+    const std::string number = std::to_string(std::random_device{}()); // tests run side by side
+    const auto path = std::filesystem::path(testing::TempDir()) /
+      std::filesystem::u8path("größe" + number + ".tif");
     vtkNew<vtkPlanarGeoTIFFWriter> writer;
     this->Said->Watch(writer);
     writer->SetFileName(path.u8string());
