@@ -10,6 +10,7 @@
 #include "ConstraintOracle.h"
 #include "JobJudge.h"
 #include "Judge.h"
+#include "OutlineJudge.h"
 #include "PartJudges.h"
 #include "SampleJudge.h"
 
@@ -257,6 +258,7 @@ void fuzzConstraints(const FuzzCase& given)
   expectAsDefined(prepared, filled);
   const PointView view = prepared.view();
   expectSamples(given, { engine.made, view, filled.triples, run.executor });
+  expectOutlines(given, view, filled.triples);
   expectTheSame(prepared, filled);
   expectSameInBlocks(prepared);
   expectSameThroughC(given, { prepared.view(), prepared.chains, prepared.rule, filled.triples });

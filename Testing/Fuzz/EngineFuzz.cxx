@@ -6,6 +6,7 @@
 // the door: the C interface, with all its features.
 #include "JobJudge.h"
 #include "Judge.h"
+#include "OutlineJudge.h"
 #include "SampleJudge.h"
 
 #include <algorithm>
@@ -354,6 +355,7 @@ void fuzzEngine(const FuzzCase& given)
   expectExtras(first, engine);
   const PointView view = first.layout.view();
   expectSamples(given, { engine.made, view, first.outcome.triples, runOf(given, 0).executor });
+  expectOutlines(given, view, first.outcome.triples);
   expectSameWhenShuffled(first, engine);
   expectTrouble(first, engine);
   expectSameThroughC(
