@@ -419,7 +419,11 @@ void vtkPlanarSurfaceOutline::MakeOutline(
     return request;
   };
   ahd::Outline made;
-  const ahd::Status status = ahd::outlineWithin(memory, request, open, context.GetProgress(), made);
+  ahd::Status status = ahd::outlineWithin(memory, request, open, context.GetProgress(), made);
+  if (status == ahd::Status::Ok)
+  {
+    status = memory.need(vtkAHDRingsBytes(made, surface.Data));
+  }
   if (status == ahd::Status::OutOfMemory || status == ahd::Status::TooManyPoints)
   {
     vtkAHDSay(this, ahd::Topic::Refusal, memory.facts(status, request));

@@ -4,6 +4,7 @@
 #include "Engine/Outline/Outline.h"
 #include "Pipeline/vtkAHDArray.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -109,6 +110,21 @@ void AddCellData(const ahd::Outline& made, vtkCellData* to)
   to->AddArray(polygons);
   to->AddArray(holes);
 }
+}
+
+std::size_t vtkAHDRingsBytes(const ahd::Outline& made, vtkPolyData* from)
+{
+  std::size_t point = 3 * sizeof(double);
+  for (int k = 0; k < from->GetPointData()->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* const array = from->GetPointData()->GetAbstractArray(k);
+    point += static_cast<std::size_t>(array->GetNumberOfComponents() * array->GetDataTypeSize());
+  }
+  const auto points = std::min(
+    made.corners.size(), static_cast<std::size_t>(from->GetNumberOfPoints()));
+  const std::size_t corner = sizeof(ahd::Index) + sizeof(vtkIdType);
+  const std::size_t ring = 4 * sizeof(vtkIdType) + 1; // offset, first once more, polygon, array
+  return points * point + made.corners.size() * corner + made.rings.size() * ring;
 }
 
 void vtkAHDWriteRings(const ahd::Outline& made, vtkPolyData* from, vtkPolyData* to)

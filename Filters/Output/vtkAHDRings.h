@@ -2,6 +2,8 @@
 #ifndef vtkAHDRings_h
 #define vtkAHDRings_h
 
+#include <cstddef>
+
 class vtkPolyData;
 
 namespace ahd
@@ -12,5 +14,8 @@ struct Outline;
 /// Writes a closed polyline for each ring, with the cell data "PolygonId" and "IsHole"; and the
 /// points that rings pass, in their order in `from`, with their data. Throws std::bad_alloc.
 void vtkAHDWriteRings(const ahd::Outline& made, vtkPolyData* from, vtkPolyData* to);
+
+/// Upper estimate of the bytes that they take, with one more array of the rings.
+std::size_t vtkAHDRingsBytes(const ahd::Outline& made, vtkPolyData* from);
 
 #endif

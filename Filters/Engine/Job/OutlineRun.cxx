@@ -6,6 +6,13 @@
 namespace ahd
 {
 
+Status OutlineMemory::need(std::size_t bytes)
+{
+  needed += bytes;
+  isRefused = needed > allowed;
+  return isRefused ? Status::OutOfMemory : Status::Ok;
+}
+
 Facts OutlineMemory::facts(Status status, const OutlineRequest& request) const
 {
   return { { "reason", reasonOf(status, isRefused) }, { "doing", "outlining" },
@@ -16,10 +23,9 @@ Facts OutlineMemory::facts(Status status, const OutlineRequest& request) const
 Status outlineWithin(OutlineMemory& memory, const OutlineRequest& request,
   const std::function<OutlineRequest()>& open, RunProgress& progress, Outline& out)
 {
-  memory.needed = memory.other + outlineMemoryEstimate(request);
   memory.allowed = memory.limit > 0 ? memory.limit : availableMemory();
-  memory.isRefused = memory.needed > memory.allowed;
-  if (memory.isRefused)
+  memory.needed = memory.other;
+  if (memory.need(outlineMemoryEstimate(request)) != Status::Ok)
   {
     return Status::OutOfMemory;
   }

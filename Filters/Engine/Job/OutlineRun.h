@@ -21,6 +21,8 @@ struct OutlineMemory
   std::size_t allowed = 0; ///< the limit it was compared with
   bool isRefused = false;  ///< more is needed than allowed
 
+  /// Ok, or OutOfMemory: more is needed than allowed with these bytes.
+  Status need(std::size_t bytes);
   /// Those of a refusal, or of running out.
   Facts facts(Status status, const OutlineRequest& request) const;
 };

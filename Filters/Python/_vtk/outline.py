@@ -151,7 +151,11 @@ class _Outlining:
             for text in messages.said(engine.SAY_OUTLINE, surface.lacks()):
                 speaker.warn(text)
             self._outline(surface, job, report)
-            _Writer(vtk, surface, job, output).write()
+            writer = _Writer(vtk, surface, job, output)
+            report.memory_needed += writer.bytes()
+            if report.memory_needed > report.memory_allowed:
+                raise engine.OutOfMemory("", engine.MEMORY_LIMIT)
+            writer.write()
             facts = {"unfit_cells": report.unfit_cells, "unfit_edges": report.unfit_edges}
             for text in messages.said(engine.SAY_OUTLINE, facts):
                 speaker.warn(text)
@@ -198,6 +202,14 @@ class _Writer:
         self.backend, self.surface, self.output = backend, surface, output
         self.corners, self.rings, self.polygons, self.cells = (
             job.array("outline_" + name, numpy.int64) for name in ("points", "rings", "polygons", "cells"))
+
+    def bytes(self):
+        """Upper estimate of what is written."""
+        given = self.surface.points
+        arrays = [given.GetPointData().GetAbstractArray(k) for k in range(given.GetPointData().GetNumberOfArrays())]
+        point = 24 + sum(array.GetNumberOfComponents() * array.GetDataTypeSize() for array in arrays)
+        points = min(len(self.corners), given.GetNumberOfPoints())
+        return points * point + len(self.corners) * 24 + len(self.rings) * 33
 
     def write(self):
         vtk, rings = self.backend, len(self.rings) - 1

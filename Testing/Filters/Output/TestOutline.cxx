@@ -262,6 +262,37 @@ TEST(Outline, MemoryIsLimited)
   EXPECT_EQ(outline.Said->Errors.size(), 1u);
 }
 
+/// With an array of 4 MB at the points that rings pass.
+TEST(Outline, MemoryOfItsArraysIsLimited)
+{
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> surface;
+  surface->SetInputData(makeCloud(scatteredPoints(5000)));
+  surface->Update();
+  vtkPolyData* const made = surface->GetOutput();
+  vtkNew<vtkDoubleArray> numbers, wide;
+  numbers->SetName("Number"); // each triangle is a polygon
+  for (vtkIdType k = 0; k < made->GetNumberOfCells(); ++k)
+  {
+    numbers->InsertNextValue(double(k));
+  }
+  made->GetCellData()->AddArray(numbers);
+  WatchedOutline outline;
+  outline->SetGroupArrayName("Number");
+  outline->SetMemoryLimit(5000);
+  EXPECT_EQ(outline.Of(made)->GetNumberOfCells(), made->GetNumberOfCells());
+  wide->SetName("Wide");
+  wide->SetNumberOfComponents(100);
+  wide->SetNumberOfTuples(made->GetNumberOfPoints());
+  wide->Fill(1.0);
+  made->GetPointData()->AddArray(wide);
+  EXPECT_EQ(outline.Of(made)->GetNumberOfCells(), 0);
+  ASSERT_EQ(outline.Said->Errors.size(), 1u);
+  EXPECT_NE(outline.Said->Errors[0].find("MemoryLimit allows 5.12 MB"), std::string::npos)
+    << outline.Said->Errors[0];
+  outline->SetMemoryLimit(12000);
+  EXPECT_EQ(outline.Of(made)->GetNumberOfCells(), made->GetNumberOfCells());
+}
+
 TEST(Outline, IsAborted)
 {
   vtkNew<vtkAdaptiveHilbertDelaunay2D> surface;
