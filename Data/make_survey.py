@@ -11,17 +11,15 @@ What a hydrographer would find in it:
   * a closed area nobody may enter, and a dense diagonal patch over a seamount
   * relief worth looking at: shelf, slope cut by a canyon, seamount, fault scarp, small knolls
 
-Positions are made in kilometres, east and north of 20 W 40 N, and written in degrees to five
-places (about a metre), elevations in metres to one. The same bytes come out every time: the
-random numbers are SplitMix64, written out below.
+Positions are made in kilometres and written in metres, east and north of a corner of the area, to
+0.1, as elevations are. The same bytes come out every time: the random numbers are SplitMix64,
+written out below.
 """
 
 import math
 import os
 import sys
 
-KM_PER_DEGREE = 111.195  # of latitude, on a sphere of 6371 km
-LON0, LAT0 = -20.0, 40.0
 EAST, NORTH = 80.0, 54.0  # size of the area in km
 CLOSED = (15.0, 10.5, 3.4)  # closed area: centre x, y and radius in km
 SEAMOUNT = (60.0, 37.0)
@@ -135,10 +133,8 @@ class Survey:
         """Log a sounding, unless the place is closed. An echo sounder errs by 0.15 % of depth."""
         if math.hypot(x - CLOSED[0], y - CLOSED[1]) < CLOSED[2]:
             return
-        lon = LON0 + x / (KM_PER_DEGREE * math.cos(math.radians(LAT0)))
-        lat = LAT0 + y / KM_PER_DEGREE
         z = elevation(x, y, self.knolls) * (1.0 + 0.0015 * self.random.bell())
-        self.rows.append("%.5f,%.5f,%.1f" % (lon, lat, z))
+        self.rows.append("%.1f,%.1f,%.1f" % (1000 * x, 1000 * y, z))
 
     @staticmethod
     def line_north(line, x):
@@ -202,7 +198,7 @@ def main():
     default = os.path.join(os.path.dirname(os.path.abspath(__file__)), "survey.csv")
     path = sys.argv[1] if len(sys.argv) > 1 else default
     with open(path, "w", encoding="ascii", newline="\n") as file:
-        file.write("lon,lat,elevation\n" + "\n".join(Survey().sail()) + "\n")
+        file.write("x,y,elevation\n" + "\n".join(Survey().sail()) + "\n")
 
 
 if __name__ == "__main__":

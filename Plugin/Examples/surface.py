@@ -3,7 +3,7 @@
 
     pvpython surface.py <AdaptiveHilbertDelaunay.so> <table.csv> <picture.png>
 
-The table needs columns lon, lat and elevation (Data/survey.csv has them).
+The table needs columns x, y and elevation in one unit (Data/survey.csv has them, in metres).
 """
 
 import os
@@ -19,7 +19,7 @@ plugin, table, picture = sys.argv[1:]
 LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
 
 rows = CSVReader(FileName=[table])
-points = TableToPoints(Input=rows, XColumn="lon", YColumn="lat", ZColumn="elevation")
+points = TableToPoints(Input=rows, XColumn="x", YColumn="y", ZColumn="elevation")
 points.KeepAllDataArrays = 1  # the columns come along as point data, through the filter as well
 
 surface = AdaptiveHilbertDelaunay2D(Input=points)
@@ -30,19 +30,18 @@ surface.UpdatePropertyInformation()
 for name in ("NumberOfTriangles", "NumberOfDuplicates", "NumberOfRejectedPoints", "InsertSeconds"):
     print(name, surface.GetPropertyValue(name))
 
-# ... and the surface is like any other: here coloured by elevation and drawn. A degree is some
-# 111 km, an elevation a metre: scaled alike, the relief would be a wall.
+# ... and the surface is like any other: here coloured by elevation and drawn.
 view = CreateView("RenderView")
 view.ViewSize = [900, 600]
 view.UseColorPaletteForBackground = 0
 view.Background = [1, 1, 1]
 display = Show(surface, view)
-display.Scale = [0.77, 1, 4 / 111195]  # cos(40 degrees), 1, metres to degrees, four times too high
+display.Scale = [1, 1, 4]  # four times too high
 ColorBy(display, ("POINTS", "elevation"))
 viridis = "Viridis" if GetParaViewVersion() >= (6, 1) else "Viridis (matplotlib)"
 GetColorTransferFunction("elevation").ApplyPreset(viridis, True)
-view.CameraPosition = [-15.6, 39.2, 1.0]
-view.CameraFocalPoint = [-15.05, 40.2, -0.08]
+view.CameraPosition = [-20000, -85000, 110000]
+view.CameraFocalPoint = [40000, 26000, -9000]
 view.CameraViewUp = [0, 0, 1]
 view.ResetCamera(True)
 SaveScreenshot(picture, view)

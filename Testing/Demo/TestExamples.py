@@ -57,7 +57,7 @@ class Examples(unittest.TestCase):
     def test_surface(self):
         with open(SAMPLE, encoding="ascii") as file:
             rows = [line.split(",") for line in file.read().splitlines()[1:]]
-        # degrees to five places: as integers, exact
+        # metres to one place: as integers, exact
         places = {tuple(int(field.replace(".", "")) for field in row[:2]) for row in rows}
         said = self.run_example("pvpython", os.path.join(EXAMPLES, "surface.py"), PLUGIN, SAMPLE, "survey.png")
         self.assertIn("NumberOfTriangles %d\n" % (2 * len(places) - 2 - hull_size(places)), said)

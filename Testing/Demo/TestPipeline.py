@@ -200,7 +200,7 @@ class WholeRuns(InFolder):
         self.assert_lines(
             said, "points {:,}".format(len(sample)), "triangles {:,}".format(surface.GetNumberOfPolys()),
             "duplicates {:,} (same x and y as another point)".format(len(sample) - distinct),
-            "vertical exaggeration 3")  # fmt: skip
+            "vertical exaggeration 3 (taking x, y and z to be in one unit)")  # fmt: skip
         # 2 v - 2 - h triangles, and every hull vertex is the end of two boundary edges
         hull = len(picture.boundary_edges(picture.corner_ids(surface)))
         self.assertEqual(surface.GetNumberOfPolys(), 2 * distinct - 2 - hull)

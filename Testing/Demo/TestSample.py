@@ -37,6 +37,13 @@ class Sample(unittest.TestCase):
         self.assertGreater(numpy.ptp(soundings[:, 2]), 3000, "metres of relief")
         self.assertLess(os.path.getsize(SAMPLE), 1e6)
 
+    def test_seen_in_paraview_as_it_is(self):
+        """Heights are in the unit of x and y: neither a wall nor a dot, without a scale."""
+        soundings = numpy.loadtxt(SAMPLE, delimiter=",", skiprows=1)
+        width, length, relief = numpy.ptp(soundings, axis=0)
+        self.assertLess(relief, min(width, length))
+        self.assertGreater(relief, 0.02 * max(width, length))
+
 
 if __name__ == "__main__":
     unittest.main()
