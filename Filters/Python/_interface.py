@@ -232,6 +232,8 @@ def _signatures() -> Dict[str, Tuple[Any, List[Any]]]:
         "ahd_sample_estimate_before": (status, [job, u64, to(Places), u64, i32, to(u64)]),
         "ahd_sample_weights": (status, [job, to(Places)]),
         "ahd_outline": (status, [job, to(OutlineReport)]),
+        "ahd_outline_directed": (status, [job, to(OutlineReport)]),
+        "ahd_within_radius": (status, [job, double, pointer]),
         "ahd_say": (u64, [job, i32, i32, to(Fact), u64, pointer, u64]),
         "ahd_name": (name, [i32, u32]),
         "ahd_status_name": (name, [status]),

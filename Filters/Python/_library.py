@@ -244,12 +244,19 @@ class Job:
         self._call(C.ahd_choose_plane, plane)
         return plane.value
 
-    def outline(self, report: Optional[OutlineReport] = None) -> OutlineReport:
+    def outline(self, report: Optional[OutlineReport] = None, directed: bool = False) -> OutlineReport:
         """Makes the outline of the array cells: outline_points, outline_rings, outline_polygons and outline_cells, see
-        ahd_outline.h. What became of it goes to `report`, also where it fails."""
+        ahd_outline.h. What became of it goes to `report`, also where it fails. `directed`: see
+        ahd_outline_directed."""
         made = OutlineReport() if report is None else report
-        self._call(C.ahd_outline, made)
+        self._call(C.ahd_outline_directed if directed else C.ahd_outline, made)
         return made
+
+    def within_radius(self, radius: float, count: int) -> np.ndarray:
+        """Which of the array cells, so many triangles, are not too large: (count,) bool, see ahd_within_radius."""
+        kept = np.zeros(count, np.bool_)
+        self._call(C.ahd_within_radius, radius, kept.ctypes.data, arrays=(kept,))
+        return kept
 
     # --- results ---
 

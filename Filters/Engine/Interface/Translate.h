@@ -3,6 +3,7 @@
 #define ahd_Translate_h
 
 #include "../Job/InputArrays.h"
+#include "../Job/Messages.h"
 #include "../Job/Refusal.h"
 #include "../Job/Sampling.h"
 #include "../Job/Settings.h"
@@ -10,6 +11,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 // The words of ahd.h as those of Job/: numbers are the same, structs are copied.
@@ -101,6 +104,14 @@ constexpr bool areSameWords()
 }
 static_assert(areSameWords(), "a number of ahd.h is another one in the engine");
 
+inline void mustHave(const void* pointer, const char* what)
+{
+  if (!pointer)
+  {
+    refuse(Reason::BadArray, "The pointer to the " + std::string(what) + " is null.");
+  }
+}
+
 inline GivenArray arrayOf(const ahd_array& array)
 {
   return { array.data, array.type, array.columns, array.rows, array.row_stride,
@@ -126,6 +137,29 @@ inline std::vector<GivenSamples> samplesOf(const ahd_sampled* given, std::uint64
     samples[k] = { given[k].values, given[k].columns, given[k].out, given[k].gradients };
   }
   return samples;
+}
+
+inline Wording wordingOf(std::int32_t words)
+{
+  if (words < AHD_WORDS_OF_C || words > AHD_WORDS_OF_NUMPY)
+  {
+    refuse(Reason::BadValue, "There are no such words.");
+  }
+  return Wording(words);
+}
+
+inline Facts factsOf(const ahd_fact* given, std::uint64_t count)
+{
+  Facts facts;
+  for (std::uint64_t k = 0; k < count; ++k)
+  {
+    mustHave(given, "facts");
+    mustHave(given[k].name, "name of a fact");
+    Fact fact(given[k].name, given[k].text ? given[k].text : "", given[k].number);
+    fact.real = given[k].real != 0.0 ? given[k].real : fact.real;
+    facts.add(std::move(fact));
+  }
+  return facts;
 }
 
 } // namespace ahd

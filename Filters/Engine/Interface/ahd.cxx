@@ -94,13 +94,7 @@ ahd_status call(ahd_job* job, const Work& work)
   return status;
 }
 
-void mustHave(const void* pointer, const char* what)
-{
-  if (!pointer)
-  {
-    ahd::refuse(ahd::Reason::BadArray, "The pointer to the " + std::string(what) + " is null.");
-  }
-}
+using ahd::mustHave;
 
 /// Writes what work(the job) returns to `value`.
 template <typename Value, typename Work>
@@ -112,6 +106,24 @@ ahd_status give(ahd_job* job, Value* value, const char* what, const Work& work)
       mustHave(value, what);
       *value = work(own);
     });
+}
+
+ahd_status outlineOf(ahd_job* job, bool isDirected, ahd_outline_report* report)
+{
+  ahd::OutlineMemory memory;
+  const ahd::Outline* made = nullptr;
+  const ahd_status status = call(job,
+    [&](ahd::Job& own)
+    {
+      own.makeOutline(memory, isDirected);
+      made = &own.outline();
+    });
+  if (report)
+  {
+    *report = { made ? made->unfitCells : 0, made ? made->unfitEdges : 0, memory.needed,
+      memory.allowed, int32_t(made ? made->plane : ahd::OutlinePlane::Xy) };
+  }
+  return status;
 }
 
 } // namespace
@@ -380,20 +392,22 @@ ahd_status ahd_sample_weights(ahd_job* job, const ahd_places* places)
 
 ahd_status ahd_outline(ahd_job* job, ahd_outline_report* report)
 {
-  ahd::OutlineMemory memory;
-  const ahd::Outline* made = nullptr;
-  const ahd_status status = call(job,
-    [&](ahd::Job& own)
+  return outlineOf(job, false, report);
+}
+
+ahd_status ahd_outline_directed(ahd_job* job, ahd_outline_report* report)
+{
+  return outlineOf(job, true, report);
+}
+
+ahd_status ahd_within_radius(ahd_job* job, double radius, uint8_t* kept)
+{
+  return call(job,
+    [=](ahd::Job& own)
     {
-      own.makeOutline(memory);
-      made = &own.outline();
+      mustHave(kept, "kept");
+      own.findWithin(radius, kept);
     });
-  if (report)
-  {
-    *report = { made ? made->unfitCells : 0, made ? made->unfitEdges : 0, memory.needed,
-      memory.allowed, int32_t(made ? made->plane : ahd::OutlinePlane::Xy) };
-  }
-  return status;
 }
 
 uint64_t ahd_say(ahd_job* job, int32_t topic, int32_t words, const ahd_fact* facts, uint64_t count,
@@ -407,21 +421,9 @@ uint64_t ahd_say(ahd_job* job, int32_t topic, int32_t words, const ahd_fact* fac
   std::string said;
   const auto say = [&](ahd::Job& own)
   {
-    if (words < AHD_WORDS_OF_C || words > AHD_WORDS_OF_NUMPY)
-    {
-      ahd::refuse(ahd::Reason::BadValue, "There are no such words.");
-    }
-    ahd::Facts known;
-    for (uint64_t k = 0; k < count; ++k)
-    {
-      mustHave(facts, "facts");
-      mustHave(facts[k].name, "name of a fact");
-      ahd::Fact fact(facts[k].name, facts[k].text ? facts[k].text : "", facts[k].number);
-      fact.real = facts[k].real != 0.0 ? facts[k].real : fact.real;
-      known.add(std::move(fact));
-    }
-    known = ahd::factsOf(own, std::move(known));
-    for (const ahd::Message& one : ahd::messages(ahd::Topic(topic), ahd::Wording(words), known))
+    const ahd::Wording wording = ahd::wordingOf(words);
+    const ahd::Facts known = ahd::factsOf(own, ahd::factsOf(facts, count));
+    for (const ahd::Message& one : ahd::messages(ahd::Topic(topic), wording, known))
     {
       said += one.name + std::string(1, '\0') + one.text + '\0';
     }

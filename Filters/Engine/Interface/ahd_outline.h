@@ -64,4 +64,17 @@ typedef struct ahd_outline_report
  * points or corners of cells. */
 AHD_API ahd_status ahd_outline(ahd_job* job, ahd_outline_report* report);
 
+/* The same of cells that are all counterclockwise in x, y, such as triangles and parts of them.
+ * They are joined by the ids of their corners: points at one place are as many. Nothing is turned
+ * over, so rounding of places, by which parts of triangles may lose their width, changes no ring.
+ */
+AHD_API ahd_status ahd_outline_directed(ahd_job* job, ahd_outline_report* report);
+
+/* Which triangles make an alpha shape: for each row of the array cells, which has three columns, 1
+ * if the radius of its circumcircle is not greater than `radius`, in space where points have three
+ * coordinates, as the setting alpha decides; else 0, also with an id of no point. No result is
+ * needed. AHD_BAD_VALUE: `radius` is not greater than 0. AHD_BAD_ARRAY, AHD_CANCELLED,
+ * AHD_OUT_OF_MEMORY. */
+AHD_API ahd_status ahd_within_radius(ahd_job* job, double radius, uint8_t* kept);
+
 #endif

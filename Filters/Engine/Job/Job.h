@@ -73,8 +73,11 @@ public:
   /// Moves points to their position in the plane of the result.
   void toPlane(double* xyz, std::size_t count);
 
-  /// Makes the outline of the array cells, without a run.
-  void makeOutline(OutlineMemory& memory);
+  /// Makes the outline of the array cells, without a run. `isDirected`: see OutlineRequest.
+  void makeOutline(OutlineMemory& memory, bool isDirected);
+  /// A byte for each of the array cells, triangles: 1 if the radius of its circumcircle in space is
+  /// not greater.
+  void findWithin(double radius, std::uint8_t* kept);
   /// Refuses if there is none.
   const Outline& outline() const;
 
@@ -110,6 +113,7 @@ private:
     ~NoteThreads() { used = std::max(used, threads.used()); }
   };
 
+  class Apart;
   RunSettings asked() const;
   void runWith(const Context& context);
   void refuseUsedUp(const RunSettings& asked) const;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The outline of the array cells of a job.
+// Of the array cells of a job: the outline, and which are small.
+#include "../Core/Border.h"
+#include "../Core/Chunks.h"
+#include "../Surface/Circumradius.h"
 #include "Arrays.h"
 #include "Job.h"
 #include "Refusal.h"
@@ -53,7 +56,23 @@ const Outline& Job::outline() const
   return *outline_;
 }
 
-void Job::makeOutline(OutlineMemory& memory)
+/// A call with progress of its own: that of the run is left as it is.
+class Job::Apart
+{
+public:
+  explicit Apart(JobProgress& progress)
+    : progress_(progress)
+  {
+    progress.beginApart({ 1.0 });
+    progress.reach(1);
+  }
+  ~Apart() { progress_.endApart(); }
+
+private:
+  JobProgress& progress_;
+};
+
+void Job::makeOutline(OutlineMemory& memory, bool isDirected)
 {
   outline_.reset();
   OutlineRequest request;
@@ -69,13 +88,7 @@ void Job::makeOutline(OutlineMemory& memory)
   }
   memory.limit = static_cast<std::size_t>(settings[IntSetting::MemoryLimit]);
   memory.other = callersMemory().bytes;
-  const struct Apart
-  {
-    JobProgress& progress;
-    ~Apart() { progress.endApart(); }
-  } apart{ progress };
-  progress.beginApart({ 1.0 });
-  progress.reach(1);
+  const Apart apart(progress);
   auto made = std::make_unique<Outline>();
   OpenInput input;
   const auto open = [&]
@@ -85,6 +98,7 @@ void Job::makeOutline(OutlineMemory& memory)
     request.points = input.points;
     request.cells = input.polygons;
     request.groups = input.groups;
+    request.isDirected = isDirected;
     progress.expectLastPhase();
     return request;
   };
@@ -96,6 +110,48 @@ void Job::makeOutline(OutlineMemory& memory)
   ahd::check(status);
   ahd::check(progress.finish() ? Status::Ok : Status::Cancelled);
   outline_ = std::move(made);
+}
+
+void Job::findWithin(double radius, std::uint8_t* kept)
+{
+  if (!(radius > 0.0))
+  {
+    refuse(Reason::BadValue, "The radius is not greater than 0.");
+  }
+  if (arrays.has(InputArray::CellOffsets) || arrays[InputArray::Cells].columns != 3)
+  {
+    refuse(Reason::BadArray, "\"cells\" are no triangles, with three columns.");
+  }
+  const Apart apart(progress);
+  const Context context{ &progress, nullptr };
+  OpenInput input;
+  input.openPoints(arrays, context);
+  input.openPolygons(arrays, context);
+  progress.expectLastPhase();
+  const PointView& points = input.points;
+  const CellsView& cells = input.polygons;
+  const RadiusLimit limit(radius);
+  const auto corner = [&](std::size_t k)
+  { return cells.ids32 ? std::int64_t(cells.ids32[k]) : cells.ids64[k]; };
+  const auto look = [&](std::size_t cell)
+  {
+    std::array<Vector3, 3> places;
+    bool arePoints = true;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const auto id = static_cast<std::uint64_t>(corner(3 * cell + k));
+      arePoints = arePoints && id < points.count;
+      places[k] = arePoints ? points.place(static_cast<std::size_t>(id)) : Vector3{};
+    }
+    kept[cell] = arePoints && !limit.isExceeded(places[0], places[1], places[2]) ? 1 : 0;
+  };
+  ahd::check(unlessCancelled(
+    [&]
+    {
+      Ticker ticker(&progress, Phase::Outputs, cells.cells);
+      return inSteps(0, cells.cells, ticker, look) && ticker.ask();
+    }));
+  ahd::check(progress.finish() ? Status::Ok : Status::Cancelled);
 }
 
 } // namespace ahd

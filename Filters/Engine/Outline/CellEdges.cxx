@@ -38,7 +38,7 @@ bool CellEdges::make(Ticker& ticker)
   return mergePlaces(ticker) && read(ticker) && join(ticker) && spread(ticker);
 }
 
-/// Points that are not finite stay as they are.
+/// Points that are not finite stay as they are, and so do those of directed cells.
 bool CellEdges::mergePlaces(Ticker& ticker)
 {
   const PointView& points = request_.points;
@@ -50,7 +50,7 @@ bool CellEdges::mergePlaces(Ticker& ticker)
   {
     const auto id = static_cast<Index>(i);
     points_[i] = id;
-    if (isFinite(points[i]) && std::isfinite(points.z(i)))
+    if (!request_.isDirected && isFinite(points[i]) && std::isfinite(points.z(i)))
     {
       items[count++] = packed(hashOf(points.place(i)), id);
     }
@@ -394,14 +394,15 @@ void CellEdges::addArea(CellEdge h, std::array<double, 3>& areas) const
   }
 }
 
-/// x, y, if nine tenths of the area there turn one way; also where an area is no number.
+/// x, y, if nine tenths of the area there turn one way; also where an area is no number, and of
+/// directed cells.
 OutlinePlane CellEdges::plane() const
 {
   const auto widest = std::max_element(areas_.begin(), areas_.end()) - areas_.begin();
   // nine tenths less one tenth
   const bool isFolded = areas_[2] < 0.8 * areaOfCells_ || areaOfCells_ == 0.0;
   const bool isNumber = std::isfinite(areas_[0] + areas_[1] + areas_[2]);
-  return isFolded && isNumber && areas_[std::size_t(widest)] > areas_[2]
+  return !request_.isDirected && isFolded && isNumber && areas_[std::size_t(widest)] > areas_[2]
     ? static_cast<OutlinePlane>(widest)
     : OutlinePlane::Xy;
 }

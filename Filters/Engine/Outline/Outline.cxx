@@ -64,6 +64,10 @@ private:
     return isReversed_[ring.component] != 0 ? last(ring) : second(ring);
   }
   Point start(const Ring& ring) const { return place(corners_[ring.begin]); }
+  bool turnsRight(const Ring& ring) const
+  {
+    return orient2d(start(ring), place(second(ring)), place(last(ring))) < 0;
+  }
 
   bool walkAll(Ticker& ticker);
   bool walk(CellEdge from, Ticker& ticker);
@@ -200,9 +204,14 @@ Point Rings::lowestWay(const Ring& ring) const
 }
 
 /// Of two rings of a component: the outer one has its smallest vertex, and if others pass that,
-/// lies around them.
+/// lies around them. Of directed cells it is the only one that turns to the left there, also where
+/// rounding takes the component's width.
 bool Rings::isFurtherOut(const Ring& a, const Ring& b) const
 {
+  if (request_.isDirected && turnsRight(a) != turnsRight(b))
+  {
+    return turnsRight(b);
+  }
   const Point p = start(a), q = start(b);
   return p == q ? orient2d(p, lowestWay(a), lowestWay(b)) > 0 : lexicographicallyLess(p, q);
 }
@@ -253,8 +262,7 @@ bool Rings::order(Ticker& ticker)
   {
     if (outer_[c] != kNoIndex)
     {
-      const Ring& ring = rings_[outer_[c]];
-      isReversed_[c] = orient2d(start(ring), place(second(ring)), place(last(ring))) < 0 ? 1 : 0;
+      isReversed_[c] = !request_.isDirected && turnsRight(rings_[outer_[c]]) ? 1 : 0;
     }
   };
   return inSteps(0, rings_.size(), ticker, compare) && inSteps(0, outer_.size(), ticker, turn) &&

@@ -21,6 +21,9 @@ struct OutlineRequest
   /// A number for each cell: polygons of the outline are of cells with equal numbers. NaN: the cell
   /// is left out. Null: all cells are alike.
   const double* groups = nullptr;
+  /// Cells are joined by the ids of their corners, not by places: points may lie at one place. All
+  /// are counterclockwise in x, y, but for rounding of places, which turns nothing over.
+  bool isDirected = false;
 };
 
 /// The plane in which a ring is outer or a hole, and in which it turns.
@@ -41,7 +44,8 @@ enum class OutlinePlane
 /// - A ring begins at its smallest vertex, by x, then y (of the plane). Polygons are in ascending
 ///   order of their numbers, then of their first corners, and so are the holes of a polygon. The
 ///   outline depends neither on the order of cells and points nor on the directions of cells.
-/// - Which ring is outer is exact. All else is a matter of ids.
+/// - Which ring is outer is exact. All else is a matter of ids. Of directed cells an outer ring
+///   turns to the left at its smallest vertex.
 struct Outline
 {
   std::vector<Index> corners;  ///< ids of points, ring after ring; the first is not repeated

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * ahd_outline(): triangles of a run, bands of polygons, arrays, refusals, cancelling.
+ * ahd_outline(), ahd_within_radius(): triangles of a run, bands of polygons, arrays, refusals,
+ * cancelling.
  */
 #include "Check.h"
 
@@ -162,9 +163,67 @@ static void test_refusals(void)
   ahd_job_free(job);
 }
 
+/* A triangle whose third corner is at the place of the second. */
+static void test_directed(void)
+{
+  static const double places[] = { 0, 0, 1, 0, 1, 0 };
+  static const int64_t triangle[] = { 0, 1, 2 }, corners[] = { 0, 1, 2 }, none[] = { 0 };
+  const ahd_array cells = ahd_ids(triangle, 1, 3);
+  ahd_outline_report report;
+  ahd_job* job = ahd_job_of(places, 3, 2);
+  CHECK_OK(job, ahd_set_array(job, "cells", &cells));
+  CHECK_OK(job, ahd_outline(job, &report));
+  CHECK(report.unfit_cells == 1);
+  expect(job, "outline_polygons", none, 1);
+  CHECK_OK(job, ahd_outline_directed(job, &report));
+  CHECK(report.unfit_cells == 0 && report.plane == 2);
+  expect(job, "outline_points", corners, 3);
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_outline_directed(NULL, &report));
+  ahd_job_free(job);
+}
+
+/* Of a right angle, radius 2.5, on edge, in space, and of no points. */
+static void test_within_radius(void)
+{
+  static const double places[] = { 0, 0, 0, 3, 0, 0, 0, 4, 0, 0, 4, 12 };
+  static const int64_t triangles[] = { 0, 1, 2, 0, 2, 1, 0, 1, 3, 0, 1, 4, -1, 1, 2 };
+  const ahd_array cells = ahd_ids(triangles, 5, 3), list = ahd_ids(triangles, 15, 1);
+  told own = { 0, 0, 0.0 };
+  uint8_t kept[5];
+  ahd_job* job = ahd_job_of(places, 4, 3);
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_within_radius(job, 1.0, kept));
+  CHECK_OK(job, ahd_set_array(job, "cells", &cells));
+  CHECK_OK(job, ahd_within_radius(job, 2.5, kept));
+  CHECK(memcmp(kept, "\1\1\0\0\0", 5) == 0);
+  CHECK_OK(job, ahd_within_radius(job, 2.4999999999999996, kept));
+  CHECK(memcmp(kept, "\0\0\0\0\0", 5) == 0);
+  CHECK_OK(job, ahd_within_radius(job, 7, kept));
+  CHECK(memcmp(kept, "\1\1\1\0\0", 5) == 0);
+  CHECK_STATUS(job, AHD_BAD_VALUE, ahd_within_radius(job, 0.0, kept));
+  CHECK_STATUS(job, AHD_BAD_VALUE, ahd_within_radius(job, NAN, kept));
+  CHECK_SAYS(job, "radius");
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_within_radius(job, 1.0, NULL));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_within_radius(NULL, 1.0, kept));
+  CHECK_OK(job, ahd_set_progress(job, listen, &own));
+  CHECK_OK(job, ahd_within_radius(job, 7, kept));
+  CHECK(own.calls > 0 && own.fraction == 1.0);
+  for (own.last_call = own.calls; own.last_call > 0; --own.last_call)
+  {
+    own.calls = 0;
+    own.fraction = 0.0;
+    CHECK_STATUS(job, AHD_CANCELLED, ahd_within_radius(job, 7, kept));
+  }
+  CHECK_OK(job, ahd_set_array(job, "cells", &list));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_within_radius(job, 1.0, kept));
+  CHECK_SAYS(job, "three columns");
+  ahd_job_free(job);
+}
+
 void test_outline(void)
 {
   test_rings();
+  test_directed();
+  test_within_radius();
   test_groups();
   test_of_a_run();
   test_refusals();

@@ -66,10 +66,12 @@ struct OutlineCase
     request.groups = groups.empty() ? nullptr : groups.data();
     return request;
   }
-  Outline outline() const
+  Outline outline(bool isDirected = false) const
   {
     Outline made;
-    EXPECT_EQ(ahd::outline(request(), Context(), made), Status::Ok);
+    OutlineRequest request = this->request();
+    request.isDirected = isDirected;
+    EXPECT_EQ(ahd::outline(request, Context(), made), Status::Ok);
     return made;
   }
 
