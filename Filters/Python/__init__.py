@@ -34,6 +34,8 @@ if TYPE_CHECKING:
     from ._interpolators import NearestInterpolator as NearestInterpolator
     from ._raster import Raster as Raster
     from ._results import Adjacency as Adjacency
+    from ._results import Contours as Contours
+    from ._results import Lines as Lines
     from ._sampling import Weights as Weights
 
     __version__: str
@@ -51,7 +53,7 @@ _MODULES = {
     **dict.fromkeys(("LinearInterpolator", "NaturalNeighborInterpolator", "NearestInterpolator"), "._interpolators"),
     "Raster": "._raster",
     "__version__": "._interface",
-    "Adjacency": "._results",
+    **dict.fromkeys(("Adjacency", "Contours", "Lines"), "._results"),
     "Weights": "._sampling",
 }
 _CLASSES = (
@@ -64,8 +66,9 @@ _CLASSES = (
 )
 
 __all__ = [
-    "Adjacency", "Boxes", "DelaunayWarning", "Kind", "LinearInterpolator", "Location", "NaturalNeighborInterpolator",
-    "NearestInterpolator", "Outline", "Raster", "Triangulation", "Voronoi", "Weights", "delaunay", "release_memory",
+    "Adjacency", "Boxes", "Contours", "DelaunayWarning", "Kind", "LinearInterpolator", "Lines", "Location",
+    "NaturalNeighborInterpolator", "NearestInterpolator", "Outline", "Raster", "Triangulation", "Voronoi", "Weights",
+    "delaunay", "release_memory",
 ]  # fmt: skip
 
 

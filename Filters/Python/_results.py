@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Any, Dict, Iterator, List, NamedTuple
+from typing import Any, Dict, Iterable, Iterator, List, NamedTuple, Tuple, Union
 
 import numpy as np
 
@@ -48,6 +48,16 @@ class Voronoi:
         i %= len(self)
         found: np.ndarray = self.points[self.corners[self.offsets[i] : self.offsets[i + 1]]]
         return found
+
+    @property
+    def __geo_interface__(self) -> Dict[str, Any]:
+        """A FeatureCollection of GeoJSON: a Polygon for each cell that is not empty, whose property "site" is the id of
+        its point. All cells are clipped, so none is unbounded."""
+        return _collection(
+            ({"site": site}, {"type": "Polygon", "coordinates": [_closed(cell)]})
+            for site, cell in zip(self.sites.tolist(), self)
+            if len(cell)
+        )
 
 
 @dataclass(frozen=True)
@@ -94,8 +104,105 @@ class Outline:
     @property
     def __geo_interface__(self) -> Dict[str, Any]:
         """A MultiPolygon of GeoJSON: rings are closed."""
-        polygons = [[[tuple(p) for p in (*ring.tolist(), ring[0].tolist())] for ring in polygon] for polygon in self]
-        return {"type": "MultiPolygon", "coordinates": polygons}
+        return {"type": "MultiPolygon", "coordinates": [[_closed(ring) for ring in polygon] for polygon in self]}
+
+
+@dataclass(frozen=True)
+class Lines:
+    """The lines of a level: ``len(lines)`` of them, and ``lines[i]`` are the places along one, (k, 2) or (k, 3). Higher
+    values are on its left. A line around a hill or a hollow ends with its first place; others end at the border of the
+    surface.
+
+    shapely and others take it as it is, as a MultiLineString: ``shapely.geometry.shape(lines)``.
+
+    Attributes
+    ----------
+    points : (n, 2) or (n, 3) float64
+        The nodes that numbers refer to: the triangulation's points, then the crossings of edges and levels.
+    corners : (k,) int
+        Numbers of nodes, line after line.
+    offsets : (l + 1,) int
+        Line `i` has the nodes ``corners[offsets[i]:offsets[i + 1]]``, two or more.
+    """
+
+    points: np.ndarray
+    corners: np.ndarray
+    offsets: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.offsets) - 1
+
+    def __iter__(self) -> Iterator[np.ndarray]:
+        return (self[i] for i in range(len(self)))
+
+    def __getitem__(self, i: int) -> np.ndarray:
+        if not -len(self) <= i < len(self):
+            raise IndexError("line %d of %d" % (i, len(self)))
+        i %= len(self)
+        found: np.ndarray = self.points[self.corners[self.offsets[i] : self.offsets[i + 1]]]
+        return found
+
+    @property
+    def __geo_interface__(self) -> Dict[str, Any]:
+        """A MultiLineString of GeoJSON."""
+        return {"type": "MultiLineString", "coordinates": [_places(line) for line in self]}
+
+
+@dataclass(frozen=True)
+class Contours:
+    """The contours of a surface: ``contours[i]`` are the `Lines` of level `i`, or, filled, the band between levels `i`
+    and `i + 1` as an `Outline`, polygons with holes. All share their nodes: places where bands meet are the same.
+
+    geopandas and others take it as it is, as a FeatureCollection with a column "level", or "lower" and "upper":
+    ``geopandas.GeoDataFrame.from_features(contours)``. shapely takes each: ``shapely.geometry.shape(contours[i])``.
+
+    Attributes
+    ----------
+    levels : (m,) float64
+        Ascending, each once.
+    shapes : tuple
+        Of m Lines, or m - 1 Outlines.
+    """
+
+    levels: np.ndarray
+    shapes: Tuple[Union[Outline, Lines], ...]
+
+    def __len__(self) -> int:
+        return len(self.shapes)
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(self.shapes)
+
+    def __getitem__(self, i: int) -> Any:
+        """Lines or Outline."""
+        return self.shapes[i]
+
+    @property
+    def __geo_interface__(self) -> Dict[str, Any]:
+        """A FeatureCollection of GeoJSON: MultiLineStrings with the property "level", or MultiPolygons with "lower" and
+        "upper"."""
+        levels = self.levels.tolist()
+        isFilled = len(self.shapes) < len(levels)
+        properties = (
+            [{"lower": lower, "upper": upper} for lower, upper in zip(levels, levels[1:])] if isFilled else
+            [{"level": level} for level in levels]
+        )  # fmt: skip
+        return _collection(zip(properties, (shape.__geo_interface__ for shape in self.shapes)))
+
+
+def _places(places: np.ndarray) -> List[Tuple[float, ...]]:
+    return [tuple(place) for place in places.tolist()]
+
+
+def _closed(ring: np.ndarray) -> List[Tuple[float, ...]]:
+    places = _places(ring)
+    return places + places[:1]
+
+
+def _collection(rows: Iterable[Tuple[Dict[str, Any], Dict[str, Any]]]) -> Dict[str, Any]:
+    """A FeatureCollection of GeoJSON of properties and geometries."""
+    features = [{"type": "Feature", "properties": properties, "geometry": shape} for properties, shape in rows]
+    return {"type": "FeatureCollection", "features": features}
 
 
 class Boxes(NamedTuple):

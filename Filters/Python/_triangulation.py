@@ -12,7 +12,7 @@ import numpy as np
 from . import _library as library
 from ._input import CHOICES, DEFAULTS, Corners, Request, polygon_of
 from ._made import frozen
-from ._measured import Measured
+from ._outlined import Outlined
 from ._picture import svg
 from ._results import Adjacency, Boxes, Location, Outline, Voronoi, chained
 from ._raster import real_numbers, unmasked, xy_of
@@ -48,7 +48,7 @@ _NAMES_OF_SCIPY = {
 }
 
 
-class Triangulation(Measured):
+class Triangulation(Outlined):
     """A Delaunay triangulation, made by `delaunay`. It never changes; its arrays are read-only.
 
     Ids are rows of `points`. All results depend on the points, constraints and settings alone, the same to the byte
@@ -208,37 +208,6 @@ class Triangulation(Measured):
     def boundary(self) -> np.ndarray:
         """(b, 2) int: the edges with a triangle on one side only, their left, in the order of the triangles."""
         made: np.ndarray = self._made("boundary", lambda: self._edges_where(self.neighbors < 0))
-        return made
-
-    def outline(self) -> Outline:
-        """The outline of the triangles, as polygons with holes.
-
-        Without constraints it is the convex hull; with loops, `alpha`, `maximum_edge_length` or a trimmed rim the
-        outline of what they leave: concave hulls and alpha shapes.
-
-        Examples
-        --------
-        >>> from adaptivehilbertdelaunay import delaunay
-        >>> square, hole = [[0, 0], [9, 0], [9, 9], [0, 9]], [[3, 3], [6, 3], [6, 6], [3, 6]]
-        >>> outline = delaunay(square + hole, loops=[[0, 1, 2, 3], [4, 5, 6, 7]]).outline()
-        >>> [ring.tolist() for ring in outline[0]]
-        [[[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0]], [[3.0, 3.0], [3.0, 6.0], [6.0, 6.0], [6.0, 3.0]]]
-        """
-        made: Outline = self._made("outline", self._make_outline)
-        return made
-
-    def _make_outline(self) -> Outline:
-        self._check_input()
-        projected = bool(self._counts["is_projected"])
-        places = self.points if projected else _view(self.points[:, :2])
-        job = library.take_job()
-        job.set(memory_limit=self._request.settings["memory_limit"])
-        job.set_array("points", self.plane_points if projected else places)
-        job.set_array("cells", self.triangles)
-        job.outline()
-        names = ("outline_points", "outline_rings", "outline_polygons")
-        made = Outline(places, *(frozen(job.array(name, self._dtype)) for name in names))
-        library.give_back(job)
         return made
 
     def _is_first(self) -> np.ndarray:

@@ -13,15 +13,15 @@ import numpy as np
 
 import adaptivehilbertdelaunay
 from adaptivehilbertdelaunay import (
-    _arrays, _calls, _cubic, _held, _input, _interface, _interpolators, _library, _measured, _raster, _results,
-    _sampling, _spatial, _triangulation, _warnings, scipy,
+    _arrays, _calls, _contours, _cubic, _held, _input, _interface, _interpolators, _library, _measured, _outlined,
+    _raster, _results, _sampling, _spatial, _triangulation, _warnings, scipy,
 )  # fmt: skip
 from adaptivehilbertdelaunay import DelaunayWarning, LinearInterpolator, NaturalNeighborInterpolator
 from arraysupport import ROOT
 
 MODULES = (
-    _arrays, _calls, _cubic, _held, _input, _interface, _interpolators, _library, _measured, _raster, _results,
-    _sampling, _spatial, _triangulation, _warnings, scipy,
+    _arrays, _calls, _contours, _cubic, _held, _input, _interface, _interpolators, _library, _measured, _outlined,
+    _raster, _results, _sampling, _spatial, _triangulation, _warnings, scipy,
 )  # fmt: skip
 README = os.path.join(ROOT, "Filters", "Python", "README.md")
 COMING_FROM = os.path.join(ROOT, "Filters", "Python", "ComingFrom.md")

@@ -11,8 +11,8 @@ from typing import Any, List, Tuple
 import numpy as np
 import adaptivehilbertdelaunay
 from adaptivehilbertdelaunay import (
-    Boxes, DelaunayWarning, Kind, LinearInterpolator, NaturalNeighborInterpolator, NearestInterpolator, Raster,
-    Triangulation, Voronoi, delaunay, release_memory,
+    Boxes, Contours, DelaunayWarning, Kind, LinearInterpolator, NaturalNeighborInterpolator, NearestInterpolator,
+    Outline, Raster, Triangulation, Voronoi, delaunay, release_memory,
 )  # fmt: skip
 
 
@@ -42,9 +42,11 @@ def looked_at(made: Triangulation) -> List[str]:
     boxes: Boxes = made.boxes
     where = made.locate([[0.5, 0.5]])
     edges: np.ndarray = made.edges
+    shapes: List[Outline] = [made.outline(), made.alpha_shape(0.1)]
+    bands: Contours = made.contours(made.points[:, 0], [0.2, 0.5], filled=True)
     count: int = made.counts["triangles"]
     names = [Kind(kind).name for kind in where.kind]
-    return names + [str(len(diagram)), str(len(boxes.levels)), str(count + len(edges))]
+    return names + [str(len(diagram)), str(len(boxes.levels)), str(count + len(edges) + len(shapes) + len(bands))]
 
 
 def interpolated(points: np.ndarray, values: np.ndarray) -> np.ndarray:
@@ -81,6 +83,7 @@ def wrong(points: np.ndarray, made: Triangulation) -> Any:
     delaunay(points, alfa=3)  # wrong: call-arg
     delaunay(points, points)  # wrong: call-arg
     made.voronoi("hul")  # wrong: arg-type
+    made.alpha_shape("0.1")  # wrong: arg-type
     made.interpolate(points, points, "cubic")  # wrong: call-overload
     made.interpolate(points, points, outside="nearby")  # wrong: call-overload
     made.weights(points, "cubic")  # wrong: arg-type

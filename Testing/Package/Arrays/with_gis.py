@@ -57,6 +57,41 @@ class GeometryTest(KeywordTest):
         with self.assertRaisesRegex(ValueError, "clip must be one polygon without holes, but there are 2 rings"):
             delaunay(POINTS).voronoi(geometry.Point(5, 5).buffer(3).difference(geometry.Point(5, 5).buffer(1)))
 
+    def test_polygons_and_lines_out(self):
+        """Valid ones; bands meet only at their borders and cover the surface, lines are where bands meet."""
+        import geopandas
+        from shapely import geometry, ops
+
+        lake = geometry.Point(5, 5).buffer(4).difference(geometry.Point(5, 5).buffer(1))
+        made = delaunay(POINTS, constraints=lake)
+        levels = [-np.inf, 0.6, 0.9, 1.2, np.inf]
+        waves = 1 + np.sin(POINTS[:, 0]) * np.cos(POINTS[:, 1])
+        bands = made.contours(waves, levels, filled=True)
+        shapes = [geometry.shape(band) for band in bands]
+        self.assertTrue(all(shape.is_valid for shape in shapes))
+        self.assertGreater(sum(len(one.interiors) for shape in shapes for one in shape.geoms), 0)
+        self.assertAlmostEqual(sum(shape.area for shape in shapes), area(made), places=9)
+        self.assertAlmostEqual(ops.unary_union(shapes).area, area(made), places=6)
+        table = geopandas.GeoDataFrame.from_features(bands, crs="EPSG:32633")
+        self.assertEqual([list(table.lower), list(table.upper)], [levels[:-1], levels[1:]])
+        lines = made.contours(waves, levels[1:-1])
+        table = geopandas.GeoDataFrame.from_features(lines)
+        self.assertEqual(list(table.level), levels[1:-1])
+        for filled in (False, True):  # of no height
+            table_of_none = geopandas.GeoDataFrame.from_features(made.contours(waves, [7, 8], filled))
+            self.assertTrue(table_of_none.geometry.is_empty.all() and len(table_of_none) == 2 - filled)
+        for k, line in enumerate(table.geometry):
+            common = shapes[k].intersection(shapes[k + 1])
+            self.assertAlmostEqual(line.length, common.length, places=6)
+        outline = geometry.shape(made.outline())
+        self.assertTrue(outline.is_valid)
+        for radius in (0.3, 0.5):
+            shape = geometry.shape(made.alpha_shape(radius))
+            self.assertTrue(shape.is_valid and 1 < shape.area < outline.area)
+        cells = geopandas.GeoDataFrame.from_features(made.voronoi("bounds"))
+        self.assertTrue(cells.geometry.is_valid.all())
+        self.assertEqual(list(cells.site), made.voronoi("bounds").sites.tolist())
+
     def test_a_union_is_kept_whole(self):
         """As the documentation advises for polygons that overlap."""
         from shapely import geometry, ops
