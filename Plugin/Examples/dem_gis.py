@@ -65,10 +65,17 @@ with rasterio.open(sys.argv[3]) as found:
 slopes = bay.interpolate(bay.points[:, 2], again, gradient=True)[1]
 light = -slopes @ (1, -1) / 2**0.5  # of a sun in the north-west
 
+# Lines of equal depth, exact on the triangles; with filled=True they would be polygons, for a layer of the GIS.
+depths = bay.contours(bay.points[:, 2], range(-20, 0, 5))
+depths = geopandas.GeoDataFrame.from_features(depths, crs=coast.crs)
+for level, lines in zip(depths.level, depths.geometry):
+    print("%.1f km of the line at %g m" % (lines.length / 1000, level))
+
 figure, axes = pyplot.subplots(figsize=(9, 6), constrained_layout=True)
 shown = axes.imshow(heights, extent=extent, cmap="YlGnBu_r", interpolation="nearest")
 axes.imshow(light, extent=extent, cmap="gray", alpha=0.15, interpolation="nearest", vmin=-0.3, vmax=0.3)
 coast[coast.kind == "water"].boundary.plot(ax=axes, color="0.2", linewidth=0.8)
+depths.plot(ax=axes, color="0.3", linewidth=0.5)
 axes.scatter(soundings.x, soundings.y, s=0.3, color="k")
 figure.colorbar(shown, label="elevation in metres", shrink=0.8)
 axes.set_title("%d soundings and a coastline" % len(soundings))
