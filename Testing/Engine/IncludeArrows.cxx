@@ -37,6 +37,7 @@ const std::map<std::string, Names>& allowedParts()
     { "Merge", { "Points" } },
     { "Crossings", { "Arithmetic", "Points", "Order", "Predicates" } },
     { "Constrain", { "Points", "Predicates", "Mesh" } },
+    { "Living", { "Points", "Predicates", "Mesh" } },
     { "Outline", { "Points", "Order", "Predicates", "Prepare" } },
     { "Prepare",
       { "Arithmetic", "Points", "Order", "Predicates", "Merge", "Crossings", "Surface",
