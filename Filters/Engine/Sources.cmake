@@ -25,7 +25,7 @@ set(ahd_engine_headers Triangulate.h Options.h Constraints.h Result.h
   Job/ReportRows.h
   Job/RunProgress.h Job/RunReport.h Job/RunSettings.h Job/SettingRows.h Job/Settings.h Job/SpacePoints.h
   Job/WantedArrays.h Job/Words.h
-  Sample/BoxNeighbors.h Sample/Outside.h Sample/Sample.h
+  Sample/BoxNeighbors.h Sample/Outside.h Sample/Sample.h Simplify/Simplify.h
   Triangulation/Triangulation.h Voronoi/Voronoi.h)
 
 file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/../../CMakeLists.txt" ahd_engine_version

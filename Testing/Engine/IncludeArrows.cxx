@@ -42,6 +42,7 @@ const std::map<std::string, Names>& allowedParts()
     { "Prepare",
       { "Arithmetic", "Points", "Order", "Predicates", "Merge", "Crossings", "Surface",
         "Triangulation", "" } },
+    { "Simplify", { "Arithmetic", "Points", "Order", "Predicates", "Mesh", "Living" } },
     { "Surface", { "Arithmetic", "Points", "Merge", "Triangulation" } },
     { "Triangulation", { "Points", "Order", "Predicates", "Mesh", "Constrain", "Extract" } },
     { "Voronoi", { "Arithmetic", "Points", "Predicates", "Triangulation" } },

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ahd
+{
+namespace
+{
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kRounding = 32.0 * 0x1p-53;
+constexpr double kThin = 0x1p-800; ///< below, products underflow
+
+double orInfinity(double error)
+{
+  return error <= kInfinity ? error : kInfinity;
+}
+
+/// (p - a) * scale, exactly.
+DoubleDouble wideEdge(double p, double a, double scale)
+{
+  return scaled(exactDifference(p, a), scale);
+}
+
+} // namespace
+
+double powerOfTwoBelow(double magnitude)
+{
+  constexpr int kMost = 1000;
+  if (!(magnitude > 0.0) || magnitude > std::numeric_limits<double>::max())
+  {
+    return 1.0;
+  }
+  int exponent = 0;
+  std::frexp(magnitude, &exponent);
+  return std::ldexp(1.0, std::min(kMost, std::max(-kMost, -exponent)));
+}
+
+Interpolant::Interpolant(std::array<Sample, 3> corners)
+{
+  std::sort(corners.begin(), corners.end(),
+    [](const Sample& p, const Sample& q) { return lexicographicallyLess(p.at, q.at); });
+  a_ = corners[0];
+  b_ = corners[1];
+  c_ = corners[2];
+  bx_ = b_.at.x - a_.at.x;
+  by_ = b_.at.y - a_.at.y;
+  cx_ = c_.at.x - a_.at.x;
+  cy_ = c_.at.y - a_.at.y;
+  scale_ = powerOfTwoBelow(
+    std::max({ std::fabs(bx_), std::fabs(by_), std::fabs(cx_), std::fabs(cy_) }));
+  bx_ *= scale_;
+  by_ *= scale_;
+  cx_ *= scale_;
+  cy_ *= scale_;
+  divisor_ = bx_ * cy_ - by_ * cx_;
+  toB_ = b_.value - a_.value;
+  toC_ = c_.value - a_.value;
+}
+
+double Interpolant::error(const Sample& p) const
+{
+  const double px = (p.at.x - a_.at.x) * scale_, py = (p.at.y - a_.at.y) * scale_;
+  const double ofB = px * cy_ - py * cx_, ofC = bx_ * py - by_ * px;
+  return orInfinity(std::fabs(a_.value + (ofB * toB_ + ofC * toC_) / divisor_ - p.value));
+}
+
+bool Interpolant::isSurelyWithin(const Sample& p, double error, double weight, double bound) const
+{
+  const auto size = [](double x, double y) { return std::fabs(x) + std::fabs(y); };
+  const double px = (p.at.x - a_.at.x) * scale_, py = (p.at.y - a_.at.y) * scale_;
+  const double most = size(px * cy_, py * cx_) * std::fabs(toB_) +
+    size(bx_ * py, by_ * px) * std::fabs(toC_);
+  const double ofDivisor = size(bx_ * cy_, by_ * cx_) / std::fabs(divisor_);
+  const double wrong = kRounding * (most / std::fabs(divisor_) * (1.0 + ofDivisor)) +
+    kRounding * (size(a_.value, p.value) + size(b_.value, c_.value));
+  return kRounding * ofDivisor < 0.25 && std::fabs(divisor_) > kThin &&
+    (error + wrong) * weight * (1.0 + kRounding) <= bound;
+}
+
+double Interpolant::wideError(const Sample& p, double weight, double bound) const
+{
+  const auto edge = [&](const Point& q) -> DoubleDoubleVector {
+    return { wideEdge(q.x, a_.at.x, scale_), wideEdge(q.y, a_.at.y, scale_) };
+  };
+  const DoubleDoubleVector toB = edge(b_.at), toC = edge(c_.at), toP = edge(p.at);
+  const DoubleDouble up = cross(toP, toC) * exactDifference(b_.value, a_.value) +
+    cross(toB, toP) * exactDifference(c_.value, a_.value);
+  const DoubleDouble difference = up / cross(toB, toC) + exactDifference(a_.value, p.value);
+  const DoubleDouble size = difference.high < 0.0 ? -difference : difference;
+  const DoubleDouble error = size * DoubleDouble{ weight, 0.0 };
+  const double rounded = std::fabs(divisor_) > kThin ? orInfinity(error.value()) : kInfinity;
+  const bool isAbove = !(signOf(error - DoubleDouble{ bound, 0.0 }) <= 0) || rounded == kInfinity;
+  return isAbove ? std::max(rounded, std::nextafter(bound, kInfinity)) : std::min(rounded, bound);
+}
+
+} // namespace ahd
