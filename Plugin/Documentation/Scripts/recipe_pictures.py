@@ -19,8 +19,8 @@ import recipes
 
 WIDTH, HEIGHT = 1440, 560  # shown at half its size
 GREENS = [0.0, 0.27, 0.45, 0.45, 0.35, 0.55, 0.70, 0.50, 0.6, 0.85, 0.80, 0.62, 1.0, 0.96, 0.95, 0.92]
-CENTRE = (500.0, 500.0, 75.0)
-BESIDE = (650.0, 500.0, 75.0)  # leaves room for a legend
+CENTRE = (500.0, 500.0, 45.0)
+BESIDE = (650.0, 500.0, 45.0)  # leaves room for a legend
 
 
 # --- views -----------------------------------------------------------------------------------------
@@ -132,32 +132,27 @@ def dem(path, lidar):
 def contours(path):
     points = recipes.survey(count=220)
     points.UpdatePipeline()
-    levels = [5.0 * k for k in range(30)]
+    levels = [5.0 * k for k in range(19)]
     surface = simple.AdaptiveHilbertDelaunay2D(Input=points)
     heights = simple.Calculator(Input=surface, ResultArrayName="Elevation", Function="coordsZ")
     angular = simple.Contour(Input=heights, ContourBy=["POINTS", "Elevation"], Isosurfaces=levels)
     views = []
-    for lines, made in ((angular, "of the triangles"), (recipes.contours(points, levels), "by natural neighbours")):
+    for lines, made in ((angular, "of the\ntriangles"), (recipes.contours(points, levels), "by natural\nneighbours")):
         lines.UpdatePipeline()
-        views.append(view(distance=560, focus=(560, 500, 75)))
+        views.append(view(distance=560, focus=(780, 500, 45)))
         show(lines, views[-1], None, [0.45, 0.3, 0.15], LineWidth=3.0, Ambient=1.0, Diffuse=0.0)
-        add_note("every 5 m, " + made, views[-1])
+        add_note("every 5 m,\n" + made, views[-1], 10)
     side_by_side(path, *views)
-
-
-def spot_heights():
-    """recipes.SPOTS, at the heights of the hills."""
-    return [(x, y, recipes.height_at(x, y)) for x, y in recipes.SPOTS]
 
 
 def flat(path):
     """Contours alone, and with spot heights: the flat triangles in red."""
-    lines = recipes.contours(recipes.survey(), range(30, 110, 10), 10.0)
+    lines = recipes.contours(recipes.survey(), range(10, 90, 10), 10.0)
     views = []
-    for spots in ((), spot_heights()):
+    for spots in ((), recipes.SPOTS):
         surface = recipes.from_contours(lines, spots)
         surface.UpdatePipeline()
-        views.append(view(distance=1040))
+        views.append(view(distance=1040, focus=BESIDE))
         show(surface, views[-1], None, [0.85, 0.87, 0.82], Representation="Surface With Edges",
              EdgeColor=[0.72, 0.74, 0.7], Ambient=1.0, Diffuse=0.0)  # fmt: skip
         show(lines, views[-1], None, [0.45, 0.3, 0.15], LineWidth=3.0, Ambient=1.0, Diffuse=0.0)
@@ -165,7 +160,8 @@ def flat(path):
         flats.UpdatePipeline()
         if flats.GetDataInformation().GetNumberOfCells():
             show(flats, views[-1], None, [0.9, 0.3, 0.2], Ambient=1.0, Diffuse=0.0)
-    points = simple.PolyPointSource(Points=[c for x, y in recipes.SPOTS for c in (x, y, 120)])  # above all
+        add_note("brown: contours\nred: flat" + "\nblue: added" * bool(spots), views[-1], 10)
+    points = simple.PolyPointSource(Points=[c for x, y, _ in recipes.SPOTS for c in (x, y, 120)])  # above all
     show(points, views[-1], None, [0.15, 0.3, 0.75], PointSize=14.0, Ambient=1.0,
          Diffuse=0.0)  # fmt: skip
     side_by_side(path, *views)
@@ -174,22 +170,23 @@ def flat(path):
 def outline(path):
     points = recipes.survey(count=9000)
     gaps = simple.Clip(Input=points, ClipType="Sphere", Invert=0)
-    gaps.ClipType.Center, gaps.ClipType.Radius = [300, 680, 75], 130
+    gaps.ClipType.Center, gaps.ClipType.Radius = [300, 680, 15], 130
     gaps = simple.Clip(Input=gaps, ClipType="Sphere", Invert=0)
-    gaps.ClipType.Center, gaps.ClipType.Radius = [1020, 160, 75], 330
+    gaps.ClipType.Center, gaps.ClipType.Radius = [1020, 160, 45], 330
     views = []
-    for made, distance in ((recipes.outline(simple.ExtractSurface(Input=gaps), 40.0), 1080),
-                           (recipes.filled_contour(points, 60.0, 90.0), 1080)):  # fmt: skip
+    for made in (recipes.outline(simple.ExtractSurface(Input=gaps), 40.0), recipes.filled_contour(points, 40.0, 60.0)):
         made.UpdatePipeline()
-        views.append(view(distance=distance, focus=(500, 500, 75)))
+        views.append(view(distance=1080, focus=BESIDE))
         cells = show(made.Input, views[-1], None, [0.82, 0.84, 0.8], Ambient=1.0, Diffuse=0.0)
         cells.SetRepresentationType("Surface")
         for hole, colour in ((0, [0.1, 0.3, 0.7]), (1, [0.8, 0.15, 0.1])):
-            rings = simple.Threshold(Input=made, Scalars=["CELLS", "IsHole"], LowerThreshold=hole, UpperThreshold=hole)
+            rings = simple.Threshold(Input=made, Scalars=["CELLS", "IsHole"])
+            rings.LowerThreshold = rings.UpperThreshold = hole  # an argument of 0 would become the array's maximum
             rings.UpdatePipeline()
             lifted = simple.Transform(Input=rings)
             lifted.Transform.Translate = [0, 0, 200]
             show(lifted, views[-1], None, colour, LineWidth=4.0, Ambient=1.0, Diffuse=0.0)
+        add_note("blue: outer\nred: holes", views[-1], 10)
     side_by_side(path, *views)
 
 
@@ -199,7 +196,7 @@ def profile(path):
     road = recipes.profile(points, (80, 80), (930, 870))
     road.UpdatePipeline()
     above = view(distance=1040, focus=BESIDE)
-    show(terrain, above, "Elevation", limits=(30, 105), title="height, m")
+    show(terrain, above, "Elevation", limits=(0, 90), title="height, m")
     show(road, above, None, [0.85, 0.3, 0.1], LineWidth=6.0, Ambient=1.0, Diffuse=0.0)
     chart = simple.CreateView("XYChartView")
     display = simple.Show(simple.PlotData(Input=road), chart)
@@ -217,15 +214,15 @@ def profile(path):
 def volume(path):
     points = hills()
     surface = simple.AdaptiveHilbertDelaunay2D(Input=points)
-    above = simple.Calculator(Input=surface, ResultArrayName="Above", Function="coordsZ - 80")
+    above = simple.Calculator(Input=surface, ResultArrayName="Above", Function="coordsZ - 60")
     part = simple.Clip(Input=above, ClipType="Scalar", Scalars=["POINTS", "Above"], Value=0.0, Invert=0)
     rest = simple.Clip(Input=above, ClipType="Scalar", Scalars=["POINTS", "Above"], Value=0.0, Invert=1)
-    level = simple.Plane(Origin=[0, 0, 80], Point1=[1000, 0, 80], Point2=[0, 1000, 80])
-    side = view(turned=(500, -1150, 620), focus=(500, 470, 60), angle=17)
+    level = simple.Plane(Origin=[0, 0, 60], Point1=[1000, 0, 60], Point2=[0, 1000, 60])
+    side = view(turned=(500, -1150, 620), focus=(500, 470, 40), angle=17)
     show(rest, side, None, [0.78, 0.83, 0.76])
     show(part, side, None, [0.88, 0.55, 0.25])
     show(level, side, None, [0.35, 0.55, 0.8], Opacity=0.35)
-    add_note("orange: above 80 m; blue: that level", side, 8)
+    add_note("orange: above 60 m; blue: that level", side, 8)
     save(path, side)
 
 
@@ -237,8 +234,8 @@ def change(path):
     above = view(distance=1000, focus=BESIDE)
     show(made, above, "Change", blues, (-8, 1), "change, m", Ambient=1.0, Diffuse=0.0)
     terrain = recipes.dem(hills(2, with_pit=True), OutputType="Surface")
-    side = view(turned=(250, -500, 420), focus=(330, 380, 60), angle=24)
-    show(terrain, side, "Elevation", limits=(30, 105), title="height, m")
+    side = view(turned=(250, -700, 900), focus=(260, 260, 220), angle=24)
+    show(terrain, side, "Elevation", limits=(0, 90), title="height, m", Scale=[1, 1, 3])
     side_by_side(path, above, side)
 
 
@@ -264,7 +261,7 @@ def map_of_the_hills(path):
         x, y = 100 * (k % 10), 100 * (k // 10)
         green = 37 * k % 5 * 9
         pen.rectangle((x, y, x + 97, y + 97), fill=(150 + green, 170 + green // 2, 95 + green))
-    pen.ellipse((620, 640, 900, 860), fill=(95, 140, 185))
+    pen.ellipse((500, 560, 720, 730), fill=(95, 140, 185))
     pen.line([(0, 930), (180, 800), (330, 560), (520, 420), (760, 330), (1000, 120)], fill=(235, 230, 220), width=16)
     picture.save(path)
 
@@ -275,9 +272,10 @@ def drape(path):
         map_of_the_hills(plan)
         made = recipes.drape(hills(), plan, 960.0, (20.0, 20.0))
         made.UpdatePipeline()
-        side = view(turned=(500, -1150, 620), focus=(500, 470, 60), angle=17)
+        side = view(turned=(500, -1150, 620), focus=(500, 470, 40), angle=17)
         display = show(made, side, "PNGImage")
         display.MapScalars = 0
+        add_note("the colours of the picture:\nfields, a road, a lake", side, 8)
         save(path, side)
 
 

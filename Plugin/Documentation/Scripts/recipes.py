@@ -4,32 +4,28 @@ same settings. Each function takes points (a proxy) and returns the last filter.
 Testing/Plugin/TestRecipes.py compares their numbers with what they have to be.
 """
 
-import math
-
 from paraview import simple
 
 #: The pit that the second survey found: its centre and radius in metres, its depth. A paraboloid.
-PIT = (300.0, 350.0, 120.0, 8.0)
+PIT = (170.0, 180.0, 120.0, 8.0)
 
-#: Where contours every ten metres leave flat stretches: tops, hollows, ridges and valleys.
-SPOTS = [(285, 820), (685, 570), (920, 765), (870, 125), (240, 655), (460, 270), (30, 420), (770, 635), (415, 195)]
-
-GROUND = "60 + 30*sin(5*coordsX)*cos(4*coordsY) + 45*exp(-20*((coordsX-0.62)^2 + (coordsY-0.55)^2))"
-DUG = " - 8*max(0, 1 - ((coordsX-0.3)^2 + (coordsY-0.35)^2)/0.0144)"
-
-
-def height_at(x, y):
-    """What GROUND says, there."""
-    x, y = x / 1000, y / 1000
-    return 60 + 30 * math.sin(5 * x) * math.cos(4 * y) + 45 * math.exp(-20 * ((x - 0.62) ** 2 + (y - 0.55) ** 2))
+#: Spot heights (x, y, z), where contours every ten metres leave flat stretches: tops, hollows, ridges and valleys.
+SPOTS = [
+    (745, 900, 75.5), (140, 145, 85.1), (255, 825, 5.0), (445, 580, 51.9), (200, 255, 82.4),
+    (690, 50, 52.5), (275, 935, 7.1), (510, 605, 51.9), (975, 475, 71.3), (950, 885, 58.1),
+    (200, 750, 7.5), (870, 750, 59.0), (20, 550, 28.5), (735, 510, 37.7),
+]  # fmt: skip
 
 
 def survey(count=50000, seed=1, with_pit=False):
     """Points on made-up hills, 1 km by 1 km, heights in metres; another seed is another flight."""
-    plane = simple.PlanarPointSource(NumberOfPoints=count, Seed=seed)
-    height = GROUND + (DUG if with_pit else "")
-    function = "1000*coordsX*iHat + 1000*coordsY*jHat + (%s)*kHat" % height
-    return simple.Calculator(Input=plane, CoordinateResults=1, Function=function)
+    hills = simple.PlanarPointSource(NumberOfPoints=count, Seed=seed, Scale=1000.0)
+    if not with_pit:
+        return hills
+    x, y, radius, depth = PIT
+    dug = "%r*max(0, 1 - ((coordsX-%r)^2 + (coordsY-%r)^2)/%r)" % (depth, x, y, radius**2)
+    function = "coordsX*iHat + coordsY*jHat + (coordsZ - %s)*kHat" % dug
+    return simple.Calculator(Input=hills, CoordinateResults=1, Function=function)
 
 
 def dem(points, size=2.0, **more):
