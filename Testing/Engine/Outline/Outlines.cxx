@@ -167,6 +167,7 @@ TEST(Outlines, SomeTrianglesOfGridsAreOutlinedByDefinition)
     expectOrder(given, polygons, made);
     EXPECT_EQ(made.unfitCells, 0u);
     EXPECT_EQ(made.unfitEdges, 0u);
+    EXPECT_EQ(given.outline(true).corners, made.corners); // they are counterclockwise
     given.shuffle(random); // ids, cells, their directions and first corners; points of their own
     EXPECT_EQ(polygonsOf(given, given.outline()), polygons) << "round " << round;
   }
