@@ -180,6 +180,9 @@ class Examples(unittest.TestCase):
         area = float(re.search(r"^([\d.]+) square", self.run_example(
             sys.executable, os.path.join(EXAMPLES, "arrays.py"), *files[:2]), re.MULTILINE).group(1))  # fmt: skip
         self.assertAlmostEqual(int(water) * 25 / 1e6, area, delta=0.001 * area)
+        lengths, levels = zip(*re.findall(r"([\d.]+) km of the line at (-\d+) m", said))
+        self.assertEqual(levels, ("-20", "-15", "-10", "-5"))
+        self.assertTrue(all(2 < float(length) < 30 for length in lengths), said)
         self.assertTrue(int(water) < int(rows) * int(columns) and -40 < float(deepest) < -5, said)
         for name in files[2:]:
             self.assertGreater(os.path.getsize(os.path.join(self.folder, name)), 20000, name)
