@@ -265,6 +265,8 @@ TEST(Outlines, DirectedCellsAreJoinedByIds)
   noArea.addCell({ 0, 1, 2 });
   EXPECT_EQ(noArea.outline().plane, OutlinePlane::Yz);
   EXPECT_EQ(noArea.outline(true).plane, OutlinePlane::Xy);
+  noArea.points[2] = { 1e-200, -1e-200, 0 }; // turned over by rounding
+  EXPECT_EQ(noArea.outline(true).corners, std::vector<Index>({ 0, 1, 2 }));
 }
 
 TEST(Outlines, NothingHasNoRing)
