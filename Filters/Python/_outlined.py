@@ -21,7 +21,7 @@ class Outlined(Measured):
     def outline(self) -> Outline:
         """The outline of the triangles, as polygons with holes.
 
-        Without constraints it is the convex hull; with loops, `alpha`, `maximum_edge_length` or a trimmed rim the
+        Without constraints it is the convex hull; with loops, limits of size (such as `alpha`) or a trimmed rim the
         outline of what they leave: concave hulls and alpha shapes.
 
         Examples
