@@ -208,10 +208,12 @@ struct SourceBounds
     return input.low[0] <= input.high[0] && source.low[0] <= source.high[0] &&
       (isBelow(input, source) || isBelow(source, input));
   }
-  /// Chains at height 0, if the input has points, and all lie above that, or all below.
+  /// Chains at height 0, if the input has points, and 0 is further from their range than a quarter
+  /// of it: a shore at 0 beside soundings from -40 to -2 is as it should be.
   std::size_t chainsOffTerrain() const
   {
-    const bool isOff = input.low[2] > 0.0 || input.high[2] < 0.0;
+    const double apart = std::max(input.low[2], -input.high[2]);
+    const bool isOff = apart > 0.25 * input.high[2] - 0.25 * input.low[2];
     return isOff && input.low[2] <= input.high[2] ? flatChains : 0;
   }
   void merge(const SourceBounds& other)

@@ -134,8 +134,20 @@ TEST(PrepareSourceBounds, CountLinesAtZeroOffTheTerrain)
     p[2] = -p[2];
   }
   EXPECT_EQ(boundsOf(PrepareCase(other, kShore, lines)).chainsOffTerrain(), 2u) << "below";
-  other[0][2] = 0.0;
-  EXPECT_EQ(boundsOf(PrepareCase(other, kShore, lines)).chainsOffTerrain(), 0u) << "as low";
+  for (const double nearest : { 0.0, 4.0, -4.0, 5.0, -5.0, 9.0, -9.0 })
+  {
+    std::vector<Xyz> one = kTerrain; // from there 20 on
+    one[0][2] = nearest;
+    one[1][2] = nearest;
+    one[2][2] = nearest + (nearest < 0.0 ? -20.0 : 20.0);
+    EXPECT_EQ(boundsOf(PrepareCase(one, kShore, lines)).chainsOffTerrain(),
+      std::fabs(nearest) > 5.0 ? 2u : 0u)
+      << nearest;
+  }
+  const std::vector<Xyz> flat(4, { { 0, 0, 3 } }),
+    all = { { { 0, 0, -1e308 } }, { { 1, 1, 1e308 } } };
+  EXPECT_EQ(boundsOf(PrepareCase(flat, kShore, lines)).chainsOffTerrain(), 2u) << "of one height";
+  EXPECT_EQ(boundsOf(PrepareCase(all, kShore, lines)).chainsOffTerrain(), 0u) << "no overflow";
   EXPECT_EQ(boundsOf(PrepareCase({}, kShore, lines)).chainsOffTerrain(), 0u) << "no terrain";
 }
 
