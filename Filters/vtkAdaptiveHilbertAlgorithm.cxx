@@ -31,6 +31,11 @@ void vtkAdaptiveHilbertAlgorithm::SetAlpha(double value)
   vtkAHDSetClamped(this, this->Alpha, value, 0.0, VTK_DOUBLE_MAX);
 }
 
+void vtkAdaptiveHilbertAlgorithm::SetMaximumError(double value)
+{
+  vtkAHDSetClamped(this, this->MaximumError, value, 0.0, 1.7e+308);
+}
+
 void vtkAdaptiveHilbertAlgorithm::SetTolerance(double value)
 {
   vtkAHDSetClamped(this, this->Tolerance, value, 0.0, 1.0);
@@ -56,6 +61,7 @@ void vtkAdaptiveHilbertAlgorithm::ClearMeasures()
   this->NumberOfRejectedPoints = 0;
   this->NumberOfSkippedPoints = 0;
   this->NumberOfPointsBeyondLimit = 0;
+  this->NumberOfPointsWithinError = 0;
   this->NumberOfConstraintEdges = 0;
   this->NumberOfCrossings = 0;
   this->NumberOfAddedLinePoints = 0;
@@ -63,6 +69,7 @@ void vtkAdaptiveHilbertAlgorithm::ClearMeasures()
   this->NumberOfConstraintsLeftOut = 0;
   this->NumberOfUnfilledLoops = 0;
   this->NumberOfTrimmedTriangles = 0;
+  this->LargestError = 0.0;
   this->NP = -1.0;
   this->NR = -1.0;
   this->SortSeconds = 0.0;
@@ -95,6 +102,7 @@ void vtkAdaptiveHilbertAlgorithm::TakeMeasures(const ahd::RunReport& report)
   this->NumberOfRejectedPoints = static_cast<vtkIdType>(count("not_finite"));
   this->NumberOfSkippedPoints = static_cast<vtkIdType>(count("skipped"));
   this->NumberOfPointsBeyondLimit = static_cast<vtkIdType>(count("beyond_limit"));
+  this->NumberOfPointsWithinError = static_cast<vtkIdType>(count("within_error"));
   this->NumberOfConstraintEdges = static_cast<vtkIdType>(count("constraint_edges"));
   this->NumberOfCrossings = static_cast<vtkIdType>(count("crossings"));
   this->NumberOfAddedLinePoints = static_cast<vtkIdType>(count("points_added_to_lines"));
@@ -103,6 +111,7 @@ void vtkAdaptiveHilbertAlgorithm::TakeMeasures(const ahd::RunReport& report)
     count("segments_without_vertex") + count("segments_crossing"));
   this->NumberOfUnfilledLoops = static_cast<vtkIdType>(count("unfilled_loops"));
   this->NumberOfTrimmedTriangles = static_cast<vtkIdType>(count("trimmed_triangles"));
+  this->LargestError = measure("largest_error");
   this->NP = measure("np");
   this->NR = measure("nr");
   this->SortSeconds = measure("seconds_merge") + measure("seconds_read") + measure("seconds_sort");
@@ -123,6 +132,7 @@ void vtkAdaptiveHilbertAlgorithm::AddCounts(vtkFieldData* data) const
     { "NumberOfRejectedPoints", this->NumberOfRejectedPoints },
     { "NumberOfSkippedPoints", this->NumberOfSkippedPoints },
     { "NumberOfPointsBeyondLimit", this->NumberOfPointsBeyondLimit },
+    { "NumberOfPointsWithinError", this->NumberOfPointsWithinError },
     { "NumberOfConstraintEdges", this->NumberOfConstraintEdges },
     { "NumberOfCrossings", this->NumberOfCrossings },
     { "NumberOfAddedLinePoints", this->NumberOfAddedLinePoints },
@@ -152,6 +162,9 @@ void vtkAdaptiveHilbertAlgorithm::GetJobSettings(ahd::JobSettings& settings) con
   settings.set(ahd::IntSetting::AlphaTriangles, this->AlphaTris != 0);
   settings.set(ahd::IntSetting::AlphaLines, this->AlphaLines != 0);
   settings.set(ahd::IntSetting::AlphaVertices, this->AlphaVerts != 0);
+  settings.set(ahd::DoubleSetting::MaximumError, this->MaximumError);
+  settings.set(ahd::IntSetting::MaximumVertices, this->MaximumNumberOfVertices);
+  settings.set(ahd::IntSetting::SecondPass, this->SecondPass);
   settings.set(ahd::IntSetting::Rim, this->Rim);
   settings.set(ahd::DoubleSetting::Tolerance, this->Tolerance);
   settings.set(ahd::IntSetting::Duplicates, this->DuplicatePolicy);
@@ -190,6 +203,9 @@ void vtkAdaptiveHilbertAlgorithm::GetSettingsOfRanks(vtkAHDSettingsOfRanks& sett
     { "AlphaTris", double(this->AlphaTris != 0) },
     { "AlphaLines", double(this->AlphaLines != 0) },
     { "AlphaVerts", double(this->AlphaVerts != 0) },
+    { "MaximumError", double(this->MaximumError) },
+    { "MaximumNumberOfVertices", double(this->MaximumNumberOfVertices) },
+    { "SecondPass", double(this->SecondPass) },
     { "Tolerance", double(this->Tolerance) },
     { "DuplicatePolicy", double(this->DuplicatePolicy) },
     { "GeneratePointStatus", double(this->GeneratePointStatus) },
@@ -214,6 +230,8 @@ void vtkAdaptiveHilbertAlgorithm::GetSettingsOfRanks(vtkAHDSettingsOfRanks& sett
     { this->MaximumSegmentLength > 0, "MaximumSegmentLength" },
     { this->PointsAsLine, "PointsAsLine" },
     { this->Alpha > 0, "Alpha" },
+    { this->MaximumError > 0, "MaximumError" },
+    { this->MaximumNumberOfVertices > 0, "MaximumNumberOfVertices" },
     { this->Tolerance > 0, "Tolerance" },
     { this->GenerateRegionIds, "GenerateRegionIds" },
     { this->GenerateNeighbors, "GenerateNeighbors" },
@@ -244,6 +262,7 @@ std::string vtkAdaptiveHilbertAlgorithm::GetMeasures()
     { "points rejected (NaN or infinite)", double(this->NumberOfRejectedPoints), 0, false },
     { "points skipped (ghost or hidden)", double(this->NumberOfSkippedPoints), 0, false },
     { "points beyond the limit", double(this->NumberOfPointsBeyondLimit), 0, false },
+    { "points left out within the error", double(this->NumberOfPointsWithinError), 0, false },
     { "edges of the source", double(this->NumberOfConstraintEdges), 0, false },
     { "crossings in the source", double(this->NumberOfCrossings), 0, false },
     { "points added to lines", double(this->NumberOfAddedLinePoints), 0, false },
@@ -251,6 +270,7 @@ std::string vtkAdaptiveHilbertAlgorithm::GetMeasures()
     { "segments left out", double(this->NumberOfConstraintsLeftOut), 0, false },
     { "outlines that bound nothing", double(this->NumberOfUnfilledLoops), 0, false },
     { "flat triangles trimmed", double(this->NumberOfTrimmedTriangles), 0, false },
+    { "largest error of the points left out", double(this->LargestError), 0, true },
     { "triangles tested a point (NP)", double(this->NP), -1, true },
     { "removed a point (NR)", double(this->NR), -1, true },
   });
@@ -287,6 +307,9 @@ void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AlphaTris: " << (this->AlphaTris ? "On\n" : "Off\n");
   os << indent << "AlphaLines: " << (this->AlphaLines ? "On\n" : "Off\n");
   os << indent << "AlphaVerts: " << (this->AlphaVerts ? "On\n" : "Off\n");
+  os << indent << "MaximumError: " << this->MaximumError << "\n";
+  os << indent << "MaximumNumberOfVertices: " << this->MaximumNumberOfVertices << "\n";
+  os << indent << "SecondPass: " << (this->SecondPass ? "On\n" : "Off\n");
   os << indent << "ProjectionPlaneMode: " << this->ProjectionPlaneMode << "\n";
   os << indent << "Rim: " << this->Rim << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
@@ -324,6 +347,7 @@ void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfRejectedPoints: " << this->NumberOfRejectedPoints << "\n";
   os << indent << "NumberOfSkippedPoints: " << this->NumberOfSkippedPoints << "\n";
   os << indent << "NumberOfPointsBeyondLimit: " << this->NumberOfPointsBeyondLimit << "\n";
+  os << indent << "NumberOfPointsWithinError: " << this->NumberOfPointsWithinError << "\n";
   os << indent << "NumberOfConstraintEdges: " << this->NumberOfConstraintEdges << "\n";
   os << indent << "NumberOfCrossings: " << this->NumberOfCrossings << "\n";
   os << indent << "NumberOfAddedLinePoints: " << this->NumberOfAddedLinePoints << "\n";
@@ -331,6 +355,7 @@ void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfConstraintsLeftOut: " << this->NumberOfConstraintsLeftOut << "\n";
   os << indent << "NumberOfUnfilledLoops: " << this->NumberOfUnfilledLoops << "\n";
   os << indent << "NumberOfTrimmedTriangles: " << this->NumberOfTrimmedTriangles << "\n";
+  os << indent << "LargestError: " << this->LargestError << "\n";
   os << indent << "NP: " << this->NP << "\n";
   os << indent << "NR: " << this->NR << "\n";
   os << indent << "SortSeconds: " << this->SortSeconds << "\n";

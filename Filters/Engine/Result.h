@@ -19,7 +19,8 @@ enum class Status
   TooManyCrossings, ///< more than InputRequest::mostCrossings
   OutOfMemory,      ///< an allocation failed
   BadCells,         ///< offsets of cells do not ascend within their ids (findBadCell())
-  BadPolygon        ///< the one to clip Voronoi cells at has a PolygonFault
+  BadPolygon,       ///< the one to clip Voronoi cells at has a PolygonFault
+  BadSettings       ///< two settings of a run exclude each other
 };
 
 /// The status of a point, as Triangulation::writePointStatus writes it: its own id if it stands for
@@ -30,7 +31,9 @@ enum : std::int64_t
   kStatusNotFinite = -1, ///< x or y is NaN or infinite
   /// left out at the caller's request (PointView::skip), beyond the limit, or a duplicate of a
   /// point beyond it
-  kStatusNotInserted = -2
+  kStatusNotInserted = -2,
+  /// left out of a simplified surface, or a duplicate of a point that was; written by Run only
+  kStatusWithinError = -3
 };
 
 /// Written by Triangulation::writeInsertionRanks for a point that is not in the order.

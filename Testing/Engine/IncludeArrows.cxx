@@ -51,8 +51,8 @@ const std::map<std::string, Names>& allowedParts()
       { "Points", "Order", "Predicates", "Mesh", "Constrain", "Extract", "Prepare", "Sample",
         "Triangulation", "" } },
     { "Job",
-      { "Points", "Order", "Merge", "Crossings", "Outline", "Prepare", "Sample", "Surface",
-        "Triangulation", "Voronoi", "" } },
+      { "Points", "Order", "Merge", "Crossings", "Outline", "Prepare", "Sample", "Simplify",
+        "Surface", "Triangulation", "Voronoi", "" } },
     { "Interface", { "Job" } },
   };
   return kAllowed;

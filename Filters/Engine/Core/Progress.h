@@ -12,8 +12,9 @@ namespace ahd
 class Executor;
 
 /// What the engine is doing. Phases come in this order, each at most once per run, but for Extract
-/// and Outputs, which each call of that kind begins (so they may come before Constrain, too); a run
-/// that has nothing to do in a phase may skip it.
+/// and Outputs, which each call of that kind begins (so they may come before Constrain, too), and
+/// Read, Sort and Insert, which simplify() begins before; a run that has nothing to do in a phase
+/// may skip it.
 enum class Phase
 {
   Merge,     ///< prepare(): copy points, move them into their plane, merge those near each other

@@ -195,8 +195,9 @@ enum
 /* Values of point_status that are not ids. */
 enum
 {
-  AHD_POINT_NOT_FINITE = -1,  /* rejected: x or y is NaN or infinite */
-  AHD_POINT_NOT_INSERTED = -2 /* skipped, or beyond insertion_limit */
+  AHD_POINT_NOT_FINITE = -1,   /* rejected: x or y is NaN or infinite */
+  AHD_POINT_NOT_INSERTED = -2, /* skipped, or beyond insertion_limit */
+  AHD_POINT_WITHIN_ERROR = -3  /* left out of a simplified surface; see maximum_error */
 };
 
 /* --- Jobs ------------------------------------------------------------------------------------ */
@@ -221,6 +222,8 @@ AHD_API const char* ahd_message(const ahd_job* job);
  *   gene_rotation    1        0, 1: the curve in a divided box turns to meet its neighbours
  *   count_work       0        0, 1: count np, nr, exact tests; one thread inserts
  *   insertion_limit  0        insert only so many points of the order; 0: all
+ *   maximum_vertices  0       of the best simplified surface; 0: no limit
+ *   second_pass      0        0, 1: simplified once more: fewer points within the same error
  *   duplicates       0        AHD_DUPLICATES_...
  *   skip_mask        255      1 to 255: a point is skipped if its mark has one of these bits
  *   cell_ids         0        AHD_IDS_...
@@ -258,6 +261,7 @@ AHD_API const char* ahd_message(const ahd_job* job);
  *   offset           1        0.75 to 1.7e308: distance of the bounding points, in diagonals
  *   alpha            0        0 to infinity: largest circumradius in space; 0: no limit
  *   maximum_edge_length  0    0 to infinity: of edges in the plane; 0: no limit
+ *   maximum_error    0        0 to 1.7e308: vertical: points within it are left out; 0: off
  *   maximum_segment_length  0  0 to infinity: in the plane; longer segments are divided; 0: none
  *   progress_delay   0        seconds, 0 to infinity: no report in the first so many of a call
  *
@@ -359,7 +363,7 @@ AHD_API ahd_status ahd_choose_plane(ahd_job* job, int64_t* plane);
  *   split_crossings     crossings that were split
  *   points_added_to_lines  where segments cross edges of the surface, or are divided
  *   crossings           the same, or, without the setting split_crossings, segments_crossing
- *   inserted, duplicates, not_finite, skipped, merged_points, beyond_limit
+ *   inserted, duplicates, not_finite, skipped, merged_points, beyond_limit, within_error
  *                       numbers of points by status; their sum is points. not_finite: rejected
  *   first_not_finite    smallest id of these, 0 if there is none
  *   odd_z               points with finite x, y and a z that is not finite
@@ -400,6 +404,7 @@ AHD_API ahd_status ahd_choose_plane(ahd_job* job, int64_t* plane);
  * Measures, known after AHD_OK:
  *   np, nr              triangles tested to locate a point, and removed to insert it, as means;
  *                       -1 without count_work
+ *   largest_error       of the points that maximum_error or maximum_vertices left out, vertically
  *   trimmed_area        as a part of the convex hull's
  *   seconds_merge, seconds_split, seconds_read, seconds_sort, seconds_insert, seconds_constrain,
  *   seconds_extract, seconds_outputs

@@ -29,6 +29,10 @@ constexpr Row kRows[] = {
   { Topic::Refusal, "voronoi polygon", "polygon_fault",
     "{voronoi_polygon} {polygon_fault}, but it must be two opposite corners of a box, or the "
     "corners of a convex polygon in their order. Nothing was computed." },
+  { Topic::Refusal, "simplification", "conflict",
+    "{simplification} and {conflict_with_limit+{insertion_limit}}{conflict_with_alpha+{alpha}}"
+    "{conflict_with_mean+{mean_heights}} exclude each other. Nothing was computed. Reset one of "
+    "them." },
   { Topic::Refusal, "too many points", "refused=points",
     "{points} points are too many: at most {most_points} can be triangulated." },
   { Topic::Refusal, "too many boxes", "refused=boxes",
@@ -286,6 +290,12 @@ constexpr Phrase kPhrases[] = {
   { "or_set_limit",
     { "or set {memory_limit} to {units_needed} or more ({unit}{of_rank+, of each rank})." } },
   { "memory_limit", { "\"memory_limit\"", "MemoryLimit" } },
+  { "simplification",
+    { "\"maximum_error\" or \"maximum_vertices\"", "MaximumError or MaximumNumberOfVertices",
+      "`maximum_error` or `maximum_vertices`" } },
+  { "alpha", { "\"alpha\"", "Alpha", "`alpha`" } },
+  { "mean_heights",
+    { "\"duplicates\" AHD_DUPLICATES_MEAN_Z", "DuplicatePolicy Mean z", "duplicates='mean_z'" } },
   { "voronoi_polygon", { "\"voronoi_polygon\"", "VoronoiPolygon" } },
   { "unit", { "bytes", "KiB" } },
   { "no_boxes", { "Ask for no boxes", "Switch GenerateBoxes off" } },

@@ -114,8 +114,9 @@ void Job::runWith(const Context& context)
 /// Refuses what a surface has used up, if it would change that.
 void Job::refuseUsedUp(const RunSettings& asked) const
 {
-  std::string names = "\"bounding\", \"insertion_limit\"";
-  bool isUsed = asked.addsBounding() || asked.options.insertionLimit > 0 || asked.mayTrimRim();
+  std::string names = "\"bounding\", \"insertion_limit\", \"maximum_vertices\"";
+  bool isUsed = asked.addsBounding() || asked.options.insertionLimit > 0 ||
+    asked.maximumNumberOfVertices > 0 || asked.mayTrimRim();
   for (const auto& used : kDoublesOnSurface)
   {
     names += ", \"" + std::string(kDoubleRows[std::size_t(used.setting)].name) + "\"";
@@ -204,7 +205,7 @@ void Job::check(Status status) const
 {
   const bool isOfSize = status == Status::TooManyPoints || status == Status::TooManyBoxes ||
     status == Status::TooManyCrossings || status == Status::BadPolygon ||
-    (status == Status::OutOfMemory && report_.isRefused);
+    status == Status::BadSettings || (status == Status::OutOfMemory && report_.isRefused);
   if (isOfSize)
   {
     refuse(reasonOf(status, report_.isRefused), factsOf(report_));

@@ -285,7 +285,7 @@ Reason reasonOf(Status status, bool isRefused)
   // In the order of Status.
   constexpr Reason reasons[] = { Reason(), Reason::Cancelled, Reason::TooManyPoints,
     Reason::TooManyBoxes, Reason::TooManyCrossings, Reason::OutOfMemory, Reason::BadArray,
-    Reason::BadArray };
+    Reason::BadArray, Reason::BadValue };
   return isRefused && status == Status::OutOfMemory ? Reason::MemoryLimit
                                                     : reasons[std::size_t(status)];
 }
@@ -328,8 +328,16 @@ Facts factsOf(const RunReport& report, Facts known)
   {
     known.add({ "polygon_fault", polygonFaults[std::size_t(report.polygonFault)] });
   }
+  const char* const conflicts[] = { "", "conflict_with_limit", "conflict_with_alpha",
+    "conflict_with_mean" }; // in the order of Conflict
+  if (report.status == Status::BadSettings)
+  {
+    known.add({ "conflict", 1 });
+    known.add({ conflicts[std::size_t(report.conflict)], 1 });
+  }
   known.addMissing({ "memory_limit", report.isLimited }, given);
   known.addMissing({ "trimmed_area", report.counts.trimmedArea }, given);
+  known.addMissing({ "largest_error", report.largestError }, given);
   const SourceBounds& bounds = report.sourceBounds;
   if (bounds.source.low[0] <= bounds.source.high[0])
   {

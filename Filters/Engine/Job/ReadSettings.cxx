@@ -23,6 +23,8 @@ void JobSettings::read(RunSettings& run) const
   put((*this)[IntSetting::GeneRotation], run.options.geneRotation);
   put((*this)[IntSetting::CountWork], run.options.countWork);
   put((*this)[IntSetting::InsertionLimit], run.options.insertionLimit);
+  put((*this)[IntSetting::MaximumVertices], run.maximumNumberOfVertices);
+  put((*this)[IntSetting::SecondPass], run.secondPass);
   put((*this)[IntSetting::UnfittedPoints], run.unfittedPoints);
   put((*this)[IntSetting::ClosedLines], run.closedLinesAreLoops);
   put((*this)[IntSetting::PointsAsLine], run.pointsAreLine);
@@ -47,6 +49,7 @@ void JobSettings::read(RunSettings& run) const
   put((*this)[DoubleSetting::Offset], run.offset);
   put((*this)[DoubleSetting::Alpha], run.limits.alpha);
   put((*this)[DoubleSetting::MaximumEdgeLength], run.limits.maximumEdgeLength);
+  put((*this)[DoubleSetting::MaximumError], run.maximumError);
   put((*this)[DoubleSetting::MaximumSegmentLength], run.maximumSegmentLength);
   for (std::size_t k = 0; k < kWantedArrays; ++k)
   {

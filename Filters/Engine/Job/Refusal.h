@@ -64,7 +64,7 @@ inline void check(Status status)
   // In the order of Status.
   const char* const texts[] = { "", "Cancelled.", "Too many points.", "Too many boxes.",
     "Too many crossings.", "Out of memory.", "Offsets do not ascend within the ids.",
-    "No convex polygon." };
+    "No convex polygon.", "Settings exclude each other." };
   if (status != Status::Ok)
   {
     refuse(reasonOf(status, false), texts[std::size_t(status)]);

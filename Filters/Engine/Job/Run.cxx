@@ -80,6 +80,11 @@ Status Run::check(std::size_t limit, std::size_t held)
   {
     return end(status);
   }
+  report_.conflict = settings_.conflict();
+  if (report_.conflict != Conflict::None)
+  {
+    return end(Status::BadSettings);
+  }
   report_.isLimited = limit > 0;
   if (report_.points > kMaximumPoints)
   {
@@ -139,8 +144,8 @@ void Run::limitCounts()
 /// May there be requests for memory while it runs?
 bool Run::mayAsk() const
 {
-  return settings_.tolerance > 0.0 || report_.segments > 0 || counts_.surface.count > 0 ||
-    counts_.sourcePoints.count > 0;
+  return settings_.tolerance > 0.0 || settings_.simplifies() || report_.segments > 0 ||
+    counts_.surface.count > 0 || counts_.sourcePoints.count > 0;
 }
 
 /// Calls a function that requests memory while it runs, up to all that is available. `asked`: of
@@ -171,6 +176,7 @@ std::vector<double> Run::firstStages() const
   return {
     0.02 + weight(settings_.isProjected(), 0.5) + weight(settings_.tolerance > 0.0, 1.5) +
       weight(settings_.laysSource(), 1.5) + weight(settings_.split && constrains, 2.0),
+    weight(settings_.simplifies(), 3.0),
     1.0,
     weight(settings_.voronoi, 3.0),
     weight(constrains, 0.6) + weight(settings_.mayTrimRim(), 0.05) +
@@ -210,6 +216,7 @@ Status Run::make(
   progress_ = &progress;
   context_ = { &progress, executor };
   Status status = prepare(open, made);
+  status = status != Status::Ok ? status : simplify(made);
   status = status != Status::Ok ? status : triangulate(made);
   status = status != Status::Ok ? status : makeVoronoi(lend, made);
   status = status != Status::Ok ? status : constrain(made);
@@ -247,6 +254,27 @@ Status Run::prepare(const Open& open, RunResult& made)
   return end(status);
 }
 
+Status Run::simplify(RunResult& made)
+{
+  progress_->reach(kSimplifying);
+  if (!settings_.simplifies())
+  {
+    return Status::Ok;
+  }
+  SimplifyRequest request;
+  request.points = made.points.points();
+  request.constraints = made.points.constraints();
+  request.maximumError = settings_.maximumError;
+  request.maximumNumberOfVertices = settings_.maximumNumberOfVertices;
+  request.secondPass = settings_.secondPass;
+  request.representative = settings_.options.representative;
+  const Status status = withAsking(
+    report_.askedToSimplify, [&] { return ahd::simplify(request, context_, made.simplified); });
+  report_.withinError = made.simplified.leftOut;
+  report_.largestError = made.simplified.largestError;
+  return end(status);
+}
+
 Status Run::triangulate(RunResult& made)
 {
   progress_->reach(kTriangulating);
@@ -254,7 +282,9 @@ Status Run::triangulate(RunResult& made)
   options.mostBoxes = report_.mostBoxes;
   Triangulation& triangulation = made.triangulation;
   const PointView& points = made.points.points();
-  Status status = ahd::triangulate(points, options, workspace_, context_, triangulation);
+  const bool isWhole = made.simplified.lots.empty();
+  const PointView& chosen = isWhole ? points : made.simplified.without(points);
+  Status status = ahd::triangulate(chosen, options, workspace_, context_, triangulation);
   report_.boxes = status == Status::TooManyBoxes ? report_.mostBoxes + 1
                                                  : triangulation.boxes().size();
   if (end(status) != Status::Ok)

@@ -4,6 +4,7 @@
 
 #include "../Core/Context.h"
 #include "../Prepare/Prepare.h"
+#include "../Simplify/Simplify.h"
 #include "../Surface/CellArrays.h"
 #include "../Surface/FindTriangles.h"
 #include "../Surface/Selection.h"
@@ -31,6 +32,7 @@ constexpr std::size_t kMostCrossingRows = 1000;
 struct RunResult
 {
   PreparedInput points;
+  SimplifyResult simplified; ///< empty: all points
   Triangulation triangulation;
   VoronoiCells voronoi;
   Selection selection; ///< empty: all triangles
@@ -60,6 +62,10 @@ struct RunResult
     const Status status = triangulation.writePointStatus(to, context);
     if (status == Status::Ok)
     {
+      for (std::size_t i = 0; i < simplified.lots.size(); ++i)
+      {
+        to[i] = simplified.lots[i] == PointLot::WithinError ? Id(kStatusWithinError) : to[i];
+      }
       followMerged(to);
     }
     return status;
@@ -97,7 +103,7 @@ public:
   /// before the run.
   /// `limit`: bytes; 0: available memory. `held`: the part of the estimate that the caller holds
   /// already, besides the workspace, which is released if it may be too large. Returns Ok,
-  /// TooManyPoints, BadPolygon or OutOfMemory.
+  /// TooManyPoints, BadPolygon, BadSettings or OutOfMemory.
   Status check(std::size_t limit, std::size_t held);
 
   /// The weights of the stages of make(). They are about times, measured with 10^6 points: that of
@@ -111,9 +117,9 @@ public:
   /// Lends memory to the cells of the Voronoi diagram.
   using Lend = std::function<void(const Report&, VoronoiCells&)>;
 
-  /// Opens the input, prepares, triangulates and constrains, finds the triangles of a surface that
-  /// is given, and fills in the report. Returns what the engine's calls do; throws what `open` and
-  /// `lend` throw. @pre check(), and stages that begin with firstStages(); with a
+  /// Opens the input, prepares, simplifies, triangulates and constrains, finds the triangles of a
+  /// surface that is given, and fills in the report. Returns what the engine's calls do; throws
+  /// what `open` and `lend` throw. @pre check(), and stages that begin with firstStages(); with a
   /// surface no constraints, and nothing that drops triangles.
   Status make(
     const Open& open, const Lend& lend, RunProgress& progress, Executor* executor, RunResult& made);
@@ -130,6 +136,7 @@ private:
   void limitCounts();
   bool mayAsk() const;
   Status prepare(const Open& open, RunResult& made);
+  Status simplify(RunResult& made);
   Status triangulate(RunResult& made);
   Status makeVoronoi(const Lend& lend, RunResult& made);
   Status constrain(RunResult& made);

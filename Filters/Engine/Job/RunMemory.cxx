@@ -2,6 +2,7 @@
 #include "RunMemory.h"
 
 #include "../Crossings/Crossings.h"
+#include "../Simplify/Simplify.h"
 #include "../Surface/Means.h"
 #include "../Surface/OrderDrawing.h"
 #include "../Triangulate.h"
@@ -56,8 +57,9 @@ public:
   std::size_t most() const
   {
     const std::size_t shown = held() + constrained() + inSpace();
-    const std::size_t steps[] = { prepared() + triangulating(), held() + constraining(),
-      shown + selecting(), shown + written() + writing(), held() + makingVoronoi() };
+    const std::size_t steps[] = { prepared() + simplifying(), prepared() + triangulating(),
+      held() + constraining(), shown + selecting(), shown + written() + writing(),
+      held() + makingVoronoi() };
     return std::max(preparing(), *std::max_element(std::begin(steps), std::end(steps)));
   }
 
@@ -77,6 +79,7 @@ private:
 
   std::size_t preparing() const;
   std::size_t prepared() const;
+  std::size_t simplifying() const;
   std::size_t triangulating() const;
   std::size_t held() const;
   std::size_t constrained() const;
@@ -119,7 +122,8 @@ std::size_t Estimate::preparing() const
 /// The rest of it.
 std::size_t Estimate::prepared() const
 {
-  std::size_t bytes = preparedMemoryEstimate(request_) + perPoint(hasSurface(), 1); // marks
+  std::size_t bytes = preparedMemoryEstimate(request_) + perPoint(hasSurface(), 1) +
+    perPoint(settings_.simplifies(), 1); // marks
   if (addsToSegments())
   {
     bytes += sizes_.points * (kPlace + 1) +
@@ -127,6 +131,14 @@ std::size_t Estimate::prepared() const
       sizes_.addedToLines * (2 * sizeof(SurfacePlace) + 2 * (kId + 1)); // ids, marks
   }
   return bytes;
+}
+
+std::size_t Estimate::simplifying() const
+{
+  SimplifyRequest request;
+  request.points.count = sizes_.points;
+  request.constraints.chains = sizes_.segments > 0 ? 1 : 0;
+  return settings_.simplifies() ? simplifyMemoryEstimate(request) + sizes_.askedToSimplify : 0;
 }
 
 std::size_t Estimate::triangulating() const

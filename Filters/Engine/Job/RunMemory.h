@@ -20,13 +20,14 @@ struct RunSizes
   std::size_t addedToLines = 0; ///< points; known when crossings are
   std::size_t boxes = 0;
   std::size_t surfaceEdges = 0; ///< of given triangles, to become constraints
-  /// Bytes requested while segments are split, and while they are inserted (Progress::take()).
-  std::size_t askedToSplit = 0, askedToConstrain = 0;
+  /// Bytes requested while segments are split, while points are chosen, and while segments are
+  /// inserted (Progress::take()).
+  std::size_t askedToSplit = 0, askedToSimplify = 0, askedToConstrain = 0;
 
   auto fields()
   {
     return std::tie(points, segments, crossings, addedToLines, boxes, surfaceEdges, askedToSplit,
-      askedToConstrain);
+      askedToSimplify, askedToConstrain);
   }
 };
 

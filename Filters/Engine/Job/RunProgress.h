@@ -18,6 +18,7 @@ namespace ahd
 enum RunStage : std::size_t
 {
   kPreparing = 1,
+  kSimplifying,
   kTriangulating,
   kMakingVoronoi,
   kConstraining,

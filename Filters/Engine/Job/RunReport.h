@@ -31,6 +31,7 @@ struct RunReport : RunSizes
   std::size_t mostCrossings = 0; ///< the same
   unsigned threadsUsed = 0;      ///< that shared work
   PolygonFault polygonFault = PolygonFault::None; ///< BadPolygon: why
+  Conflict conflict = Conflict::None;             ///< BadSettings: which
   bool splits = false;                            ///< segments, where they cross
   bool countsWork = false;
   std::array<double, kPhases> seconds = {}; ///< of each phase, by the wall clock
@@ -45,6 +46,8 @@ struct RunReport : RunSizes
   std::size_t sourcePoints = 0;
   std::size_t addedPoints = 0;
   std::size_t mergedPoints = 0;
+  std::size_t withinError = 0;                    ///< points left out of a simplified surface
+  double largestError = 0.0;                      ///< theirs, but for duplicates
   std::array<std::int64_t, 2> firstCrossing = {}; ///< cells: left out, crossed
   std::size_t bentConstraints = 0;                ///< through a vertex beside them
   std::int64_t firstBentCell = 0;                 ///< of these, if there are any
@@ -64,8 +67,8 @@ struct RunReport : RunSizes
 
   /// Should it be checked whether x and y distinguish the points?
   bool mayBeStacked() const { return !isProjected && counts.beyondLimit == 0; }
-  /// Without merged points, which the engine counts as skipped.
-  std::size_t skipped() const { return counts.skipped - mergedPoints; }
+  /// Without merged points and those within the error, which the engine counts as skipped.
+  std::size_t skipped() const { return counts.skipped - mergedPoints - withinError; }
   /// Of the output.
   std::size_t cells() const { return triangles + lines + vertices; }
 
@@ -73,11 +76,11 @@ struct RunReport : RunSizes
   {
     return std::tuple_cat(RunSizes::fields(),
       std::tie(status, isRefused, estimate, allowed, isLimited, mostBoxes, mostCrossings,
-        threadsUsed, polygonFault, splits, countsWork, seconds, counts, constraints,
+        threadsUsed, polygonFault, conflict, splits, countsWork, seconds, counts, constraints,
         delaunayTriangles, keptEstimate, triangles, lines, vertices, inputPoints, sourcePoints,
-        addedPoints, mergedPoints, firstCrossing, bentConstraints, firstBentCell, unfitIds,
-        oddPoints, pointsOffSurface, sourceBounds, areLinesUnclosed, loopsMissInput, isProjected,
-        isSteep, areOnOneLine, areStacked, foldedTriangles));
+        addedPoints, mergedPoints, withinError, largestError, firstCrossing, bentConstraints,
+        firstBentCell, unfitIds, oddPoints, pointsOffSurface, sourceBounds, areLinesUnclosed,
+        loopsMissInput, isProjected, isSteep, areOnOneLine, areStacked, foldedTriangles));
   }
 };
 static_assert(listsAll<Report>() && listsAll<ConstraintReport>() && listsAll<UnfitIds>() &&

@@ -18,6 +18,15 @@
 namespace ahd
 {
 
+/// Why a simplified surface is not possible: what the setting would do is not defined for one.
+enum class Conflict
+{
+  None,
+  InsertionLimit,
+  Alpha,
+  MeanZ
+};
+
 /// The settings of a run, and what they imply.
 struct RunSettings
 {
@@ -39,6 +48,9 @@ struct RunSettings
   double offset = 1.0;
   RimKind rim = RimKind::ConvexHull;
   SizeLimits limits;
+  double maximumError = 0.0;               ///< of a simplified surface; 0: no bound
+  std::size_t maximumNumberOfVertices = 0; ///< of one; 0: no limit
+  bool secondPass = false;                 ///< of one: SimplifyRequest::secondPass
   VoronoiClip voronoiClip = VoronoiClip::Hull;
   std::vector<Point> voronoiPolygon; ///< its corners; empty unless it clips the cells
 
@@ -93,6 +105,16 @@ struct RunSettings
   {
     const bool isRounded = !fitsPlane() || !fitted.isOfCoordinates();
     return mayTrimRim() && (isRounded || rim == RimKind::Trimmed);
+  }
+  /// Is the surface simplified?
+  bool simplifies() const { return maximumError > 0.0 || maximumNumberOfVertices > 0; }
+  Conflict conflict() const
+  {
+    return !simplifies()           ? Conflict::None
+      : options.insertionLimit > 0 ? Conflict::InsertionLimit
+      : limits.alpha > 0.0         ? Conflict::Alpha
+      : showsMeans                 ? Conflict::MeanZ
+                                   : Conflict::None;
   }
   /// Is the insertion order drawn?
   bool drawsOrder() const { return curve || options.keepBoxes; }

@@ -19,6 +19,8 @@ enum class IntSetting : std::size_t
   GeneRotation,
   CountWork,
   InsertionLimit,
+  MaximumVertices,
+  SecondPass,
   Duplicates,
   SkipMask,
   UnfittedPoints,
@@ -62,6 +64,7 @@ enum class DoubleSetting : std::size_t
   Offset,
   Alpha,
   MaximumEdgeLength,
+  MaximumError,
   MaximumSegmentLength,
   ProgressDelay
 };
@@ -80,6 +83,8 @@ constexpr SettingRow<std::int64_t> kIntRows[] = {
   { "gene_rotation", 1, 0, 1 },
   { "count_work", 0, 0, 1 },
   { "insertion_limit", 0, 0, 9223372036854775807 },
+  { "maximum_vertices", 0, 0, 9223372036854775807 },
+  { "second_pass", 0, 0, 1 },
   { "duplicates", 0, 0, 3 },
   { "skip_mask", 255, 1, 255 },
   { "unfitted_points", 0, 0, 4611686018427387904 },
@@ -122,6 +127,7 @@ constexpr SettingRow<double> kDoubleRows[] = {
   { "offset", 1.0, 0.75, 1.7e+308 },
   { "alpha", 0.0, 0.0, std::numeric_limits<double>::infinity() },
   { "maximum_edge_length", 0.0, 0.0, std::numeric_limits<double>::infinity() },
+  { "maximum_error", 0.0, 0.0, 1.7e+308 },
   { "maximum_segment_length", 0.0, 0.0, std::numeric_limits<double>::infinity() },
   { "progress_delay", 0.0, 0.0, std::numeric_limits<double>::infinity() },
 };
@@ -136,6 +142,8 @@ struct OnSurface
 /// The settings that a surface made before has used up, and the values that count with it.
 constexpr OnSurface<IntSetting, std::int64_t> kIntsOnSurface[] = {
   { IntSetting::InsertionLimit, 0 },
+  { IntSetting::MaximumVertices, 0 },
+  { IntSetting::SecondPass, 0 },
   { IntSetting::Duplicates, 0 },
   { IntSetting::CellIds, 0 },
   { IntSetting::PointsAsLine, 0 },
@@ -154,6 +162,7 @@ constexpr OnSurface<DoubleSetting, double> kDoublesOnSurface[] = {
   { DoubleSetting::Tolerance, 0.0 },
   { DoubleSetting::Alpha, 0.0 },
   { DoubleSetting::MaximumEdgeLength, 0.0 },
+  { DoubleSetting::MaximumError, 0.0 },
   { DoubleSetting::MaximumSegmentLength, 0.0 },
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LivingMesh.h"
 
+#include "../Predicates/Filters.h"
 #include "../Predicates/Predicates.h"
 
 #include <algorithm>
@@ -152,6 +153,40 @@ private:
 
 } // namespace
 
+/// On which side of the edge opposite to each corner the place lies: the sign of orient2d.
+class LivingMesh::Sides
+{
+public:
+  Sides(const LivingMesh& mesh, Slot s, const Point& p)
+    : mesh_(mesh)
+    , slot_(s)
+    , p_(p)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Point& corner = mesh.places_[mesh.data_[s + k]];
+      x_[k] = corner.x - p.x;
+      y_[k] = corner.y - p.y;
+      squared_[k] = squaredLength(x_[k], y_[k]);
+    }
+  }
+
+  int operator()(Halfedge h) const
+  {
+    const std::size_t a = Mesh::next(h) & 3, b = Mesh::previous(h) & 3;
+    const double turn = x_[a] * y_[b] - y_[a] * x_[b];
+    return orientIsCertain(turn, squared_[a], squared_[b])
+      ? (turn > 0.0 ? 1 : -1)
+      : mesh_.side(mesh_.data_[slot_ + a], mesh_.data_[slot_ + b], p_);
+  }
+
+private:
+  const LivingMesh& mesh_;
+  Slot slot_;
+  const Point& p_;
+  double x_[3], y_[3], squared_[3]; ///< of the corners, from the place; their distances
+};
+
 LivingMesh::Spot LivingMesh::locate(const Point& p, Slot hint) const
 {
   Draws draws;
@@ -163,22 +198,17 @@ LivingMesh::Spot LivingMesh::locate(const Point& p, Slot hint) const
   Halfedge from = kNoIndex;
   for (;;)
   {
+    const Sides sideOf(*this, s, p);
     Halfedge zero = kNoIndex, out = kNoIndex, h = s + draws.edge();
     for (int k = 0; k < 3 && out == kNoIndex; ++k, h = Mesh::next(h))
     {
-      const int sign = h == from ? 1 : side(origin(h), target(h), p);
+      const int sign = h == from ? 1 : sideOf(h);
       out = sign < 0 ? h : kNoIndex;
-      if (sign == 0)
+      if (sign == 0 && zero != kNoIndex) // on two edges: their common end
       {
-        // two edges: their common end
-        const bool isSecond = zero != kNoIndex;
-        if (isSecond)
-        {
-          return { Kind::AtVertex,
-            Mesh::next(zero) == h ? Mesh::previous(zero) : Mesh::next(zero) };
-        }
-        zero = h;
+        return { Kind::AtVertex, Mesh::next(zero) == h ? Mesh::previous(zero) : Mesh::next(zero) };
       }
+      zero = sign == 0 ? h : zero;
     }
     if (out == kNoIndex)
     {

@@ -131,6 +131,7 @@ private:
   };
 
   // LivingMesh.cxx
+  class Sides;
   Slot newSlot();
   Vertex newVertex(const Point& p);
   void set(Slot s, Vertex a, Vertex b, Vertex c);

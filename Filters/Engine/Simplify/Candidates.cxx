@@ -47,14 +47,16 @@ Status Candidates::read(const SimplifyRequest& request, const Context& context)
   ranked_.duplicates.reset();
   ranked_.key.reset();
   ranked_.scratch.reset();
-  return goesOn && readNumbers(request, sorting) && listStaying(request, sorting)
+  std::vector<Index> corners;
+  return goesOn && findHullCorners(ranked_.xy.data(), count(), sorting, corners) &&
+      readNumbers(request, sorting) && listStaying(request, corners, sorting)
     ? Status::Ok
     : Status::Cancelled;
 }
 
 bool Candidates::readValues(const SimplifyRequest& request, Ticker& ticker)
 {
-  values_.allocate(count());
+  samples_.allocate(count());
   Largest largest;
   const auto read = [&](Largest& part, std::size_t a, std::size_t b)
   {
@@ -62,7 +64,7 @@ bool Candidates::readValues(const SimplifyRequest& request, Ticker& ticker)
     {
       const Index i = ranked_.id[rank];
       const double value = request.values.isGiven() ? request.values[i] : request.points.z(i);
-      values_[rank] = value;
+      samples_[rank] = { ranked_.xy[rank], value };
       part.magnitude = std::isfinite(value) ? std::max(part.magnitude, std::fabs(value))
                                             : part.magnitude;
     }
@@ -71,13 +73,14 @@ bool Candidates::readValues(const SimplifyRequest& request, Ticker& ticker)
   {
     return false;
   }
+  ranked_.xy.reset();
   scale_ = powerOfTwoBelow(largest.magnitude);
   return inChunksOf(count(), ticker,
     [&](std::size_t a, std::size_t b)
     {
       for (std::size_t rank = a; rank != b; ++rank)
       {
-        values_[rank] *= scale_;
+        samples_[rank].value *= scale_;
       }
     });
 }
@@ -134,14 +137,10 @@ bool Candidates::readConstraints(const ConstraintView& constraints, Ticker& tick
   return goesOn;
 }
 
-bool Candidates::listStaying(const SimplifyRequest& request, Ticker& ticker)
+bool Candidates::listStaying(
+  const SimplifyRequest& request, const std::vector<Index>& corners, Ticker& ticker)
 {
   staying_.clear();
-  std::vector<Index> corners;
-  if (!findHullCorners(places(), count(), ticker, corners))
-  {
-    return false;
-  }
   if (corners.size() < 3)
   {
     return true;
@@ -154,7 +153,8 @@ bool Candidates::listStaying(const SimplifyRequest& request, Ticker& ticker)
     {
       const double w = weight(static_cast<Index>(rank));
       const bool isMarked = request.mustStay && request.mustStay[ranked_.id[rank]] != 0;
-      stays[rank] = isMarked || !std::isfinite(values_[rank]) || !std::isfinite(w) || w < 0.0;
+      stays[rank] = isMarked || !std::isfinite(samples_[rank].value) || !std::isfinite(w) ||
+        w < 0.0;
     });
   for (const Duplicate& duplicate : duplicates_)
   {

@@ -21,16 +21,15 @@ class Candidates
 public:
   /// The bytes a point for all of it, while it is made and afterwards.
   static constexpr std::size_t kBytesToRead = 20 + 60;
-  static constexpr std::size_t kBytes = 20 + 16 + 4;
+  static constexpr std::size_t kBytes = sizeof(Sample) + 4 + 8;
 
   /// @return Ok, Cancelled or TooManyPoints. Throws std::bad_alloc.
   Status read(const SimplifyRequest& request, const Context& context);
 
   Index count() const { return ranked_.count; }
-  const Point* places() const { return ranked_.xy.data(); }
-  const Point& place(Index rank) const { return ranked_.xy[rank]; }
+  const Point& place(Index rank) const { return samples_[rank].at; }
   /// The value times scale().
-  Sample sample(Index rank) const { return { ranked_.xy[rank], values_[rank] }; }
+  const Sample& sample(Index rank) const { return samples_[rank]; }
   double weight(Index rank) const { return weights_.empty() ? 1.0 : weights_[rank]; }
   Index id(Index rank) const { return ranked_.id[rank]; }
   /// A power of two that makes all finite values at most 1.
@@ -50,12 +49,14 @@ private:
   bool readValues(const SimplifyRequest& request, Ticker& ticker);
   bool findRanks(const SimplifyRequest& request, Ticker& ticker);
   bool readConstraints(const ConstraintView& constraints, Ticker& ticker);
-  bool listStaying(const SimplifyRequest& request, Ticker& ticker);
+  bool listStaying(
+    const SimplifyRequest& request, const std::vector<Index>& corners, Ticker& ticker);
 
   RankedPoints ranked_;
   std::vector<Duplicate> duplicates_;
   Buffer<Index> rankOf_; ///< of each id, or kNoIndex
-  Buffer<double> values_, weights_;
+  Buffer<Sample> samples_;
+  Buffer<double> weights_;
   double scale_ = 1.0;
   std::vector<Index> staying_;
   std::array<Index, 3> first_{};

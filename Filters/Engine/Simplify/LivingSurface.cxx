@@ -48,10 +48,10 @@ bool LivingSurface::begin(const std::vector<Index>& ranks)
   expect(ranks.size());
   const std::array<Index, 3>& f = candidates_.first();
   mesh_.begin(candidates_.place(f[0]), candidates_.place(f[1]), candidates_.place(f[2]));
-  rankOf_ = { kNoIndex, f[0], f[1], f[2] }; // counterclockwise, as corners of the hull are
-  for (const Vertex v : { 1u, 2u, 3u })
+  valueOf_.assign(1, 0.0);
+  for (std::size_t k = 0; k < f.size(); ++k) // counterclockwise, as corners of the hull are
   {
-    vertexOf_[rankOf_[v]] = v;
+    setVertex(f[k], static_cast<Vertex>(k + 1));
   }
   // A few of them, then some in between, and so on: neighbours in rank are near, and no triangle
   // is large for long.
@@ -81,8 +81,7 @@ bool LivingSurface::addSome(const std::vector<Index>& ranks, std::size_t step)
     if (!isKept(rank))
     {
       const Point& p = candidates_.place(rank);
-      vertexOf_[rank] = mesh_.insert(p, mesh_.locate(p, hint));
-      rankOf_.push_back(rank);
+      setVertex(rank, mesh_.insert(p, mesh_.locate(p, hint)));
       hint = mesh_.star().front();
     }
     if (!ticker_.step())
@@ -91,6 +90,13 @@ bool LivingSurface::addSome(const std::vector<Index>& ranks, std::size_t step)
     }
   }
   return true;
+}
+
+void LivingSurface::setVertex(Index rank, Vertex v)
+{
+  vertexOf_[rank] = v;
+  valueOf_.resize(std::max<std::size_t>(valueOf_.size(), v + 1));
+  valueOf_[v] = candidates_.sample(rank).value;
 }
 
 bool LivingSurface::goBackTo(std::size_t kept)
@@ -159,7 +165,7 @@ void LivingSurface::expect(std::size_t more)
     memory_.take(bytesFor(next));
     room_ = next;
     mesh_.reserve(next);
-    rankOf_.reserve(next + 1);
+    valueOf_.reserve(next + 1);
     first_.reserve(2 * next + 4);
     worst_.reserve(2 * next + 4);
     isTouched_.reserve(2 * next + 4);
@@ -208,10 +214,7 @@ void LivingSurface::takeList(Slot s)
   Index& first = first_[s / Mesh::kSlotSize];
   for (Index rank = first; rank != kNoIndex; rank = next_[rank])
   {
-    if (!isKept(rank))
-    {
-      waiting_.push_back({ rank, s });
-    }
+    waiting_.push_back({ rank, s });
   }
   first = kNoIndex;
 }
@@ -219,10 +222,7 @@ void LivingSurface::takeList(Slot s)
 void LivingSurface::keep(Index rank, Slot hint)
 {
   const Point& p = candidates_.place(rank);
-  const Vertex v = mesh_.insert(p, mesh_.locate(p, hint));
-  vertexOf_[rank] = v;
-  rankOf_.resize(std::max<std::size_t>(rankOf_.size(), v + 1));
-  rankOf_[v] = rank;
+  setVertex(rank, mesh_.insert(p, mesh_.locate(p, hint)));
   order_.push_back(rank);
   growLists();
   for (const Slot s : mesh_.replaced())
@@ -271,7 +271,7 @@ bool LivingSurface::findOwners()
   {
     for (const Waiting& waiting : waiting_)
     {
-      if (!isKept(waiting.rank)) // nor kept while it waited
+      if (!isKept(waiting.rank))
       {
         add(waiting.rank, waiting.slot);
       }
@@ -300,7 +300,11 @@ void LivingSurface::measureWide(double bound)
 
 Interpolant LivingSurface::interpolantOf(Slot s) const
 {
-  const auto corner = [&](Slot h) { return candidates_.sample(rankOf_[mesh_.apex(h)]); };
+  const auto corner = [&](Slot h)
+  {
+    const Vertex v = mesh_.apex(h);
+    return Sample{ mesh_.place(v), valueOf_[v] };
+  };
   return Interpolant(std::array<Sample, 3>{ { corner(s), corner(s + 1), corner(s + 2) } });
 }
 

@@ -29,7 +29,8 @@ public:
   static constexpr std::size_t bytesFor(std::size_t vertices)
   {
     return LivingMesh::bytesFor(vertices) +
-      (vertices + 2) * (2 * (sizeof(Worst) + 2 * sizeof(Index) + 1) + 2 * sizeof(Index));
+      (vertices + 2) *
+      (2 * (sizeof(Worst) + 2 * sizeof(Index) + 1) + sizeof(Index) + sizeof(double));
   }
 
   /// Of a triangle: its point of the largest error, of several the lexicographically smallest.
@@ -59,6 +60,7 @@ public:
   /// Those kept beside the ones that stay, in the order in which they were.
   const std::vector<Index>& order() const { return order_; }
   const Worst& worst(Slot s) const { return worst_[s / Mesh::kSlotSize]; }
+  bool isTouched(Slot s) const { return isTouched_[s / Mesh::kSlotSize] != 0; }
 
   /// Measures with 100 bits from now on, where doubles are not certain to be within the bound.
   /// All triangles become touched.
@@ -122,6 +124,7 @@ private:
   Slot ownerOf(const LivingMesh::Spot& spot) const;
   bool begin(const std::vector<Index>& ranks);
   bool addSome(const std::vector<Index>& ranks, std::size_t step);
+  void setVertex(Index rank, Vertex v);
   bool constrain();
   void growLists();
   void touch(Slot s);
@@ -144,11 +147,11 @@ private:
   LivingMesh mesh_;
   std::vector<Index> order_;
   std::vector<std::size_t> crossing_;
-  std::vector<Index> rankOf_; ///< by vertex
-  Buffer<Index> vertexOf_;    ///< by rank; kNoIndex: not kept
-  Buffer<Index> next_;        ///< by rank: the next one of its triangle
-  std::vector<Index> first_;  ///< by slot
-  std::vector<Worst> worst_;  ///< by slot
+  std::vector<double> valueOf_; ///< by vertex
+  Buffer<Index> vertexOf_;      ///< by rank; kNoIndex: not kept
+  Buffer<Index> next_;          ///< by rank: the next one of its triangle
+  std::vector<Index> first_;    ///< by slot
+  std::vector<Worst> worst_;    ///< by slot
   std::vector<unsigned char> isTouched_;
   std::vector<Slot> touched_;
   std::vector<Waiting> waiting_;

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
+#include <utility>
 
 namespace ahd
 {
@@ -29,23 +32,40 @@ DoubleDouble wideEdge(double p, double a, double scale)
 
 double powerOfTwoBelow(double magnitude)
 {
-  constexpr int kMost = 1000;
+  constexpr int kMost = 1000, kBias = 1023, kMantissa = 52;
+  constexpr double kLeastNormal = std::numeric_limits<double>::min();
   if (!(magnitude > 0.0) || magnitude > std::numeric_limits<double>::max())
   {
     return 1.0;
   }
-  int exponent = 0;
-  std::frexp(magnitude, &exponent);
-  return std::ldexp(1.0, std::min(kMost, std::max(-kMost, -exponent)));
+  std::uint64_t bits;
+  std::memcpy(&bits, &magnitude, sizeof bits);
+  // of subnormal numbers less, which is beyond the limit anyway
+  const int exponent = magnitude < kLeastNormal ? -kBias
+                                                : static_cast<int>(bits >> kMantissa) - (kBias - 1);
+  bits = static_cast<std::uint64_t>(kBias + std::min(kMost, std::max(-kMost, -exponent)))
+    << kMantissa;
+  double power;
+  std::memcpy(&power, &bits, sizeof power);
+  return power;
 }
 
-Interpolant::Interpolant(std::array<Sample, 3> corners)
+Interpolant::Interpolant(const std::array<Sample, 3>& corners)
 {
-  std::sort(corners.begin(), corners.end(),
-    [](const Sample& p, const Sample& q) { return lexicographicallyLess(p.at, q.at); });
-  a_ = corners[0];
-  b_ = corners[1];
-  c_ = corners[2];
+  const Sample *a = &corners[0], *b = &corners[1], *c = &corners[2];
+  const auto order = [](const Sample*& p, const Sample*& q)
+  {
+    if (lexicographicallyLess(q->at, p->at))
+    {
+      std::swap(p, q);
+    }
+  };
+  order(a, b);
+  order(b, c);
+  order(a, b);
+  a_ = *a;
+  b_ = *b;
+  c_ = *c;
   bx_ = b_.at.x - a_.at.x;
   by_ = b_.at.y - a_.at.y;
   cx_ = c_.at.x - a_.at.x;

@@ -26,7 +26,7 @@ double powerOfTwoBelow(double magnitude);
 class Interpolant
 {
 public:
-  explicit Interpolant(std::array<Sample, 3> corners);
+  explicit Interpolant(const std::array<Sample, 3>& corners);
 
   /// |value - interpolation|, rounded; infinity if it is no number.
   double error(const Sample& p) const;

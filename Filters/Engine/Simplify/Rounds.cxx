@@ -16,6 +16,14 @@ constexpr double kLeastOfLargest = 0.75;
 /// Where the bound is 0, progress is measured to this part of the first error.
 constexpr double kSmall = 1e-6;
 
+/// Which triangles of a vertex are looked at.
+enum Look : unsigned char
+{
+  kNotYet,
+  kAtTouched,
+  kAtAll
+};
+
 } // namespace
 
 Rounds::Rounds(LivingSurface& surface, double bound, std::size_t limit, Ticker& ticker)
@@ -57,31 +65,45 @@ Rounds::Slot Rounds::bestAround(Vertex v) const
   return best;
 }
 
+/// What is best at the corners of a touched triangle. Where the best so far was touched, too, all
+/// triangles there are looked at afterwards.
+void Rounds::lookAt(Slot s)
+{
+  for (Slot corner = s; corner < s + 3; ++corner)
+  {
+    const Vertex v = surface_.mesh().apex(corner);
+    Slot& best = bestAt_[v];
+    if (look_[v] == kNotYet)
+    {
+      look_[v] = best != kNoIndex && surface_.isTouched(best) ? kAtAll : kAtTouched;
+      touched_.push_back(v);
+    }
+    if (look_[v] == kAtTouched && isAbove(s) && (best == kNoIndex || beats(s, best)))
+    {
+      best = s;
+    }
+  }
+}
+
 /// Looks at the vertices of the touched triangles again; what is best there may be a maximum.
 bool Rounds::refresh()
 {
   const LivingMesh& mesh = surface_.mesh();
   bestAt_.resize(mesh.vertexCount() + 1, kNoIndex);
-  isTouched_.resize(mesh.vertexCount() + 1, 0);
-  isTouched_[LivingMesh::kGhost] = 1; // never looked at
+  look_.resize(mesh.vertexCount() + 1, kNotYet);
   for (const Slot s : surface_.touched())
   {
-    for (Slot corner = s; corner < s + 3; ++corner)
+    if (!mesh.isGhost(s))
     {
-      const Vertex v = mesh.apex(corner);
-      if (isTouched_[v] == 0)
-      {
-        isTouched_[v] = 1;
-        touched_.push_back(v);
-      }
+      lookAt(s);
     }
   }
   surface_.clearTouched();
   bool goesOn = true;
   for (const Vertex v : touched_)
   {
-    isTouched_[v] = 0;
-    bestAt_[v] = bestAround(v);
+    bestAt_[v] = look_[v] == kAtAll ? bestAround(v) : bestAt_[v];
+    look_[v] = kNotYet;
     if (bestAt_[v] != kNoIndex)
     {
       maxima_.push_back(bestAt_[v]);

@@ -44,6 +44,7 @@ private:
   bool beats(Slot s, Slot t) const;
   bool isLocalMaximum(Slot s) const;
   bool refresh();
+  void lookAt(Slot s);
   Slot bestAround(Vertex v) const;
   void select();
   std::size_t chosen() const;
@@ -63,8 +64,8 @@ private:
   std::size_t passed_ = 0;                                 ///< and units of it that passed
   std::vector<Slot> bestAt_; ///< by vertex: the slot of the best triangle above the bound, or none
   std::vector<Vertex> touched_;
-  std::vector<unsigned char> isTouched_; ///< by vertex
-  std::vector<Slot> maxima_;             ///< local maxima, the largest error first
+  std::vector<unsigned char> look_; ///< by vertex: which triangles are looked at
+  std::vector<Slot> maxima_;        ///< local maxima, the largest error first
 };
 
 } // namespace ahd

@@ -146,6 +146,7 @@ bool Simplification::write(const LivingSurface* surface, Ticker& ticker)
   out_.lots.allocate(n);
   out_.kept = surface ? surface->kept() : candidates_.count();
   out_.withinError = candidates_.count() - out_.kept;
+  out_.leftOut = out_.withinError;
   const bool goesOn = inSteps(0, n, ticker,
     [&](std::size_t i)
     { out_.lots[i] = request_.points.skipped(i) ? PointLot::Skipped : PointLot::Kept; });
@@ -167,7 +168,9 @@ bool Simplification::write(const LivingSurface* surface, Ticker& ticker)
       {
         const Duplicate& duplicate = candidates_.duplicates()[k];
         out_.lots[duplicate.id] = out_.lots[duplicate.keptId];
-        if (request_.wantsErrors && out_.lots[duplicate.id] == PointLot::WithinError)
+        const bool isOut = out_.lots[duplicate.id] == PointLot::WithinError;
+        out_.leftOut += isOut ? 1 : 0;
+        if (request_.wantsErrors && isOut)
         {
           out_.errors[duplicate.id] = std::numeric_limits<double>::quiet_NaN();
         }

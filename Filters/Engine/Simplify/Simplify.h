@@ -70,6 +70,7 @@ struct SimplifyResult
   bool isWithinBound = true;   ///< false: the limit of vertices came first
   std::size_t kept = 0;        ///< places
   std::size_t withinError = 0; ///< places
+  std::size_t leftOut = 0;     ///< points: those, and others at their places
   std::size_t rounds = 0;
 
   /// The points without those left out. The view borrows this object.

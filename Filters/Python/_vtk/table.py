@@ -95,6 +95,24 @@ DELAUNAY = (
      'Output, as vertices, the points of the alpha shape that belong to none of its triangles and lines. On by '
      'default.',
      None, None, ()),
+    ("MaximumError", "double", 0.0,
+     'Leave out points as long as the surface differs at none of them by more than this, vertically (in a fitted '
+     'plane: along its normal), in the units of z. Corners of the convex hull and points of lines and outlines '
+     'stay. Largest Error is the largest that is left, Number Of Points Within Error the number left out. 0: '
+     'off, all points. From 0 to '
+     '169999999999999993883079578865998174333346074304075874502773119193537729178160565864330091787584707988572262467983188919169916105593357174268369962062473635296474636515660464935663040684957844303524367815028553272712298986386310828644513212353921123253311675499856875650512437415429217994623324794855339589632. '
+     'Default 0. The bound holds at all points that represent a place, and is checked in wider arithmetic. It is '
+     'not combined with Insertion Limit, Alpha, or the mean of DuplicatePolicy: these are refused.',
+     0.0, 1.7e+308, ()),
+    ("MaximumNumberOfVertices", "int64", 0,
+     'The best surface of so many points: those are left out without which it differs least from all. Largest '
+     'Error says by how much. With Maximum Error, too, it ends at whichever comes first. 0: no limit. Default 0, '
+     'at least 0. Points that stay in any case, see MaximumError, are never too many.',
+     0, 9223372036854775807, ()),
+    ("SecondPass", "bool", False,
+     'With Maximum Error or Maximum Number Of Vertices: at the end take points out again as long as the error '
+     'stays within the bound. It takes longer, and leaves 5 to 20 % fewer. Off by default.',
+     None, None, ()),
     ("ProjectionPlaneMode", "enum", 0,
      'The plane in which the points are triangulated. XY plane: z is the height. Transform plane: x and y after '
      'the Transform. Best-fitting plane: the plane with the least sum of squared distances from the points, for '
@@ -345,6 +363,8 @@ DELAUNAY_MEASURES = (
      'Points skipped because they are marked as ghosts or hidden, in the last run.'),
     ("NumberOfPointsBeyondLimit", 0,
      'Points that are not in the surface because of the Insertion Limit, in the last run.'),
+    ("NumberOfPointsWithinError", 0,
+     'Points that Maximum Error or Maximum Number Of Vertices left out, in the last run.'),
     ("NumberOfConstraintEdges", 0,
      'Edges of the triangulation that are edges of the source, in the last run. Edges of removed triangles are '
      'included.'),
@@ -364,6 +384,9 @@ DELAUNAY_MEASURES = (
      'Outlines that bound nothing because one of their segments was left out, in the last run.'),
     ("NumberOfTrimmedTriangles", 0,
      'Flat triangles that Rim removed, in the last run.'),
+    ("LargestError", 0.0,
+     'The largest vertical distance from the surface of a point that Maximum Error or Maximum Number Of Vertices '
+     'left out, in the last run.'),
     ("NP", -1.0,
      'Triangles tested to locate a point, per inserted point, in the last run. The time to locate points is '
      'proportional to it. -1 if it was not counted: switch Count Work on. The triangle where the search starts '
@@ -403,6 +426,7 @@ DELAUNAY_TEXTS = {
          ("points rejected (NaN or infinite)", "NumberOfRejectedPoints"),
          ("points skipped (ghost or hidden)", "NumberOfSkippedPoints"),
          ("points beyond the limit", "NumberOfPointsBeyondLimit"),
+         ("points left out within the error", "NumberOfPointsWithinError"),
          ("edges of the source", "NumberOfConstraintEdges"),
          ("crossings in the source", "NumberOfCrossings"),
          ("points added to lines", "NumberOfAddedLinePoints"),
@@ -410,6 +434,7 @@ DELAUNAY_TEXTS = {
          ("segments left out", "NumberOfConstraintsLeftOut"),
          ("outlines that bound nothing", "NumberOfUnfilledLoops"),
          ("flat triangles trimmed", "NumberOfTrimmedTriangles"),
+         ("largest error of the points left out", "LargestError"),
          ("triangles tested a point (NP)", "NP"),
          ("removed a point (NR)", "NR"),
      )),
@@ -435,6 +460,7 @@ DELAUNAY_COUNTS = (
     "NumberOfRejectedPoints",
     "NumberOfSkippedPoints",
     "NumberOfPointsBeyondLimit",
+    "NumberOfPointsWithinError",
     "NumberOfConstraintEdges",
     "NumberOfCrossings",
     "NumberOfAddedLinePoints",
@@ -458,6 +484,7 @@ OF_ALL_RUNS = (
 WITHOUT_ENDS = (
     "MaximumSegmentLength",
     "MaximumEdgeLength",
+    "MaximumError",
 )
 # Measures, and the counts and measures of the job that each is the sum of.
 OF_JOB = {
@@ -469,6 +496,7 @@ OF_JOB = {
     "NumberOfRejectedPoints": ('not_finite',),
     "NumberOfSkippedPoints": ('skipped',),
     "NumberOfPointsBeyondLimit": ('beyond_limit',),
+    "NumberOfPointsWithinError": ('within_error',),
     "NumberOfConstraintEdges": ('constraint_edges',),
     "NumberOfCrossings": ('crossings',),
     "NumberOfAddedLinePoints": ('points_added_to_lines',),
@@ -476,6 +504,7 @@ OF_JOB = {
     "NumberOfConstraintsLeftOut": ('segments_without_vertex', 'segments_crossing'),
     "NumberOfUnfilledLoops": ('unfilled_loops',),
     "NumberOfTrimmedTriangles": ('trimmed_triangles',),
+    "LargestError": ('largest_error',),
     "NP": ('np',),
     "NR": ('nr',),
     "SortSeconds": ('seconds_merge', 'seconds_read', 'seconds_sort'),
@@ -500,6 +529,9 @@ SAME = {
     "split_crossings": "CrossingMode",
     "maximum_edge_length": "MaximumEdgeLength",
     "alpha": "Alpha",
+    "maximum_error": "MaximumError",
+    "maximum_vertices": "MaximumNumberOfVertices",
+    "second_pass": "SecondPass",
     "rim": "Rim",
     "tolerance": "Tolerance",
     "duplicates": "DuplicatePolicy",
@@ -534,6 +566,9 @@ USED_UP = {
     "AlphaTris": 1,
     "AlphaLines": 1,
     "AlphaVerts": 1,
+    "MaximumError": 0.0,
+    "MaximumNumberOfVertices": 0,
+    "SecondPass": 0,
     "Rim": 1,
     "Tolerance": 0.0,
     "DuplicatePolicy": 0,

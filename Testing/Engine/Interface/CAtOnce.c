@@ -83,6 +83,8 @@ static void test_reset(void)
   CHECK_OK(job, ahd_set_int(job, "source_heights", 0));
   CHECK_OK(job, ahd_set_int(job, "plane", AHD_PLANE_CALLBACK));
   CHECK_OK(job, ahd_set_int(job, "bounding", 0));
+  CHECK_OK(job, ahd_set_int(job, "maximum_vertices", 0)); /* not with all others */
+  CHECK_OK(job, ahd_set_double(job, "maximum_error", 0));
   CHECK_OK(job, ahd_set_double(job, "progress_delay", 0));
   CHECK_OK(job, ahd_set_projection(job, lift, &lifted));
   CHECK_OK(job, ahd_set_progress(job, count_calls, &calls));

@@ -81,6 +81,7 @@ int main(void)
   test_trouble();
   test_unchanged();
   test_at_once();
+  test_simplify();
   if (ahd_failures > 0)
   {
     fprintf(stderr, "%d checks failed.\n", ahd_failures);

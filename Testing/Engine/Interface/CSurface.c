@@ -243,7 +243,7 @@ static void test_what_cannot_be(void)
 {
   static const int64_t ids[] = { 0, 1 };
   const ahd_array line = ahd_ids(ids, 2, 1);
-  const char* const settings[] = { "bounding", "insertion_limit" };
+  const char* const settings[] = { "bounding", "insertion_limit", "maximum_vertices" };
   double* xy = points();
   surface* made = surface_of(xy, xy, 0);
   const ahd_array fewer = { made->edges, AHD_UINT8, 1, 3, 1, 1 };
@@ -254,7 +254,7 @@ static void test_what_cannot_be(void)
   double before;
   uint32_t i;
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_set_array(job, "surface", &pairs));
-  for (i = 0; i < 2; ++i)
+  for (i = 0; i < 3; ++i)
   {
     CHECK_OK(job, ahd_set_int(job, settings[i], 1));
     CHECK_STATUS(job, AHD_BAD_VALUE, ahd_run(job));

@@ -78,5 +78,6 @@ void test_messages(void);
 void test_trouble(void);
 void test_unchanged(void);
 void test_at_once(void);
+void test_simplify(void);
 
 #endif
