@@ -17,6 +17,7 @@ set(ahd_engine_headers Triangulate.h Options.h Constraints.h Result.h
   Crossings/Crossings.h Distribute/BlockBytes.h Distribute/BlockCuts.h Distribute/BlockTransport.h
   Distribute/BlockChains.h Distribute/BlockGhosts.h Distribute/BlockNeeds.h Distribute/BlockRim.h Distribute/BlockRoute.h
   Distribute/BlockStars.h Distribute/BlockTriangulation.h Distribute/Share.h Distribute/Steps.h
+  Edit/Edit.h Edit/Hints.h Living/LivingMesh.h Mesh/Mesh.h
   Merge/Merge.h Outline/Outline.h Points/JoinedBounds.h Points/Points.h Prepare/ClosedLines.h Prepare/Prepare.h
   Prepare/Stacks.h
   Surface/CellArrays.h Surface/FindTriangles.h Surface/Footprint.h Surface/Means.h Surface/OrderDrawing.h Surface/Plane.h Surface/PlaneFit.h

@@ -38,6 +38,8 @@ const std::map<std::string, Names>& allowedParts()
     { "Crossings", { "Arithmetic", "Points", "Order", "Predicates" } },
     { "Constrain", { "Points", "Predicates", "Mesh" } },
     { "Living", { "Points", "Predicates", "Mesh" } },
+    { "Edit",
+      { "Points", "Order", "Predicates", "Mesh", "Living", "Triangulation", "" } },
     { "Outline", { "Points", "Order", "Predicates", "Prepare" } },
     { "Prepare",
       { "Arithmetic", "Points", "Order", "Predicates", "Merge", "Crossings", "Surface",

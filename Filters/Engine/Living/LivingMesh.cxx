@@ -17,6 +17,7 @@ void LivingMesh::clear()
   data_.clear();
   freeSlots_.clear();
   freeVertices_.clear();
+  suspects_.clear();
 }
 
 void LivingMesh::reserve(std::size_t vertexCount)

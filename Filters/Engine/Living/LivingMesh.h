@@ -62,6 +62,10 @@ public:
   /// Begins with one triangle. The vertices are 1, 2, 3.
   /// @pre empty; the places are not collinear
   void begin(const Point& a, const Point& b, const Point& c);
+  /// Begins with a Triangulation, or what answers like one: its vertex v is v + 1, constraints are
+  /// not read. Throws std::bad_alloc. @pre empty; it has triangles, none dropped, and neighbors
+  template <typename Made>
+  void begin(const Made& made);
 
   std::size_t vertexCount() const { return places_.size() - 1; }
   const Point& place(Vertex v) const { return places_[v]; }
@@ -103,11 +107,15 @@ public:
   /// Makes the segment a row of edges from vertex to vertex on it. Returns false, with nothing
   /// changed, if it crosses a constraint. @pre a and b are different vertices
   bool constrain(Vertex a, Vertex b);
+  /// The edges from vertex to vertex on the segment. @pre constrain(a, b)
+  void findPieces(Vertex a, Vertex b, std::vector<Edge>& pieces) const;
+  /// The edge is no constraint any more. @pre it is one
+  void release(Vertex a, Vertex b);
 
   /// Is the vertex inside, and at no constraint edge? @pre it is in a triangle
   bool isRemovable(Vertex v) const;
-  /// Removes a vertex. Returns false if that fails: the triangles are as before, though not their
-  /// slots. @pre isRemovable(v)
+  /// Removes a vertex. Returns false if the others are collinear: the triangles are as before,
+  /// though not their slots. @pre it is at no constraint edge
   bool remove(Vertex v);
 
 private:
@@ -167,11 +175,18 @@ private:
 
   // LivingRemove.cxx
   Ring ringOf(Vertex v) const;
-  void flipAway(Vertex v, Ring& ring, std::vector<Edge>& made);
-  bool cutOff(Vertex v, Ring& ring, std::size_t k);
+  bool canCutOff(Halfedge h) const;
+  Ring flipAway(Vertex v, std::vector<Edge>& made);
   void joinThree(Vertex v, const Ring& ring);
   bool joinFour(Vertex v, const Ring& ring, std::vector<Edge>& made);
-  void freeStar(Vertex v, const Ring& ring, std::vector<RimEdge>& rim);
+  void freeStar(Vertex v, const Ring& ring);
+  std::size_t degreeOf(Vertex v) const;
+
+  // LivingHull.cxx
+  void linkGhosts();
+  bool removeFromHull(Vertex v, const Ring& ring);
+  void bendHullIn(Vertex v, const Ring& ring);
+  void joinOnHull(Vertex v, const Ring& ring);
 
   std::vector<Point> places_;       ///< by vertex; the ghost's is not used
   std::vector<Slot> slotOfVertex_;  ///< a slot with it as a corner, or kNoIndex
@@ -179,11 +194,46 @@ private:
   std::vector<Slot> freeSlots_;
   std::vector<Vertex> freeVertices_;
 
+  std::vector<Edge> suspects_; ///< scratch; empty between calls
   // of the last insertion
   std::vector<Slot> cavity_, star_;
   std::vector<RimEdge> rim_;
   std::vector<Slot> starAt_; ///< by vertex: the triangle of the star whose rim edge leaves it
 };
+
+template <typename Made>
+void LivingMesh::begin(const Made& made)
+{
+  const std::size_t triangles = made.triangleCount();
+  reserve(made.vertexCount());
+  for (std::size_t v = 0; v < made.vertexCount(); ++v)
+  {
+    newVertex(made.at(static_cast<Index>(v)));
+  }
+  for (std::size_t t = 0; t < triangles; ++t)
+  {
+    const Index h = static_cast<Index>(3 * t);
+    set(newSlot(), made.origin(h) + 1, made.origin(h + 1) + 1, made.origin(h + 2) + 1);
+  }
+  // its half-edge e of a triangle leaves corner e; here it is opposite to corner e + 2
+  const auto named = [](Index h) { return h / 3 * Mesh::kSlotSize + (h + 2) % 3; };
+  for (Index h = 0; h < 3 * triangles; ++h)
+  {
+    const Index twin = made.twin(h);
+    if (twin != kNoIndex && h < twin)
+    {
+      link(named(h), named(twin));
+    }
+    else if (twin == kNoIndex)
+    {
+      const Slot ghost = newSlot();
+      const Vertex from = origin(named(h)), to = target(named(h));
+      set(ghost, kGhost, to, from);
+      link(ghost, named(h));
+    }
+  }
+  linkGhosts();
+}
 
 } // namespace ahd
 

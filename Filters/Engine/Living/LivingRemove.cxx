@@ -35,55 +35,61 @@ LivingMesh::Ring LivingMesh::ringOf(Vertex v) const
   return ring;
 }
 
-/// Flips the edge from v to the k-th neighbour away, if that leaves triangles.
-bool LivingMesh::cutOff(Vertex v, Ring& ring, std::size_t k)
+std::size_t LivingMesh::degreeOf(Vertex v) const
 {
-  const std::size_t n = ring.size();
-  const Vertex left = ring[(k + n - 1) % n], c = ring[k], right = ring[(k + 1) % n];
-  const bool is = side(left, c, places_[right]) > 0 && side(v, left, places_[right]) > 0;
-  if (is)
+  std::size_t degree = 0;
+  const Halfedge first = leaving(v);
+  Halfedge h = first;
+  do
   {
-    flip(edge(v, c));
-    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(k));
-  }
-  return is;
+    ++degree;
+    h = around(h);
+  } while (h != first);
+  return degree;
 }
 
-/// Leaves v few neighbours: three, or four of which it lies between two.
-void LivingMesh::flipAway(Vertex v, Ring& ring, std::vector<Edge>& made)
+/// May the edge from v be flipped away, so that triangles are left?
+bool LivingMesh::canCutOff(Halfedge h) const
 {
-  std::size_t failed = 0;
-  for (std::size_t k = 0; ring.size() > 3 && failed < ring.size();)
+  const Vertex v = origin(h), left = apex(twin(h)), c = target(h), right = apex(h);
+  return left != kGhost && c != kGhost && right != kGhost && side(left, c, places_[right]) > 0 &&
+    side(v, left, places_[right]) > 0;
+}
+
+/// Leaves v few neighbours: three, or four of which it lies between two; on the hull, those that
+/// are on the hull without it. Returns them.
+LivingMesh::Ring LivingMesh::flipAway(Vertex v, std::vector<Edge>& made)
+{
+  Halfedge h = leaving(v);
+  for (std::size_t size = degreeOf(v), failed = 0; size > 3 && failed < size;)
   {
-    k %= ring.size();
-    const std::size_t n = ring.size();
-    const Edge cut = { ring[(k + n - 1) % n], ring[(k + 1) % n] };
-    if (cutOff(v, ring, k))
+    if (canCutOff(h))
     {
-      made.push_back(cut);
+      const Vertex left = apex(twin(h)), right = apex(h);
+      h = around(twin(Mesh::next(flip(h)))); // every second one: else a neighbour gets many edges
+      made.push_back({ left, right });
       failed = 0;
+      --size;
     }
     else
     {
       ++failed;
-      ++k;
+      h = around(h);
     }
   }
+  return ringOf(v);
 }
 
-/// Frees the triangles around v. `rim`: what lay opposite to it, in the order of the ring.
-void LivingMesh::freeStar(Vertex v, const Ring& ring, std::vector<RimEdge>& rim)
+/// Frees the triangles around v. Then rim_ is what lay opposite to it, in the order of the ring.
+void LivingMesh::freeStar(Vertex v, const Ring& ring)
 {
-  std::vector<Slot> slots;
-  for (std::size_t k = 0; k < ring.size(); ++k)
+  rim_.clear();
+  Halfedge h = edge(v, ring[0]);
+  for (std::size_t k = 0; k < ring.size(); ++k, h = around(h))
   {
-    const Halfedge opposite = Mesh::next(edge(v, ring[k]));
-    rim.push_back({ origin(opposite), target(opposite), twin(opposite), isConstraint(opposite) });
-    slots.push_back(Mesh::slotOf(opposite));
-  }
-  for (const Slot s : slots)
-  {
-    free(s);
+    const Halfedge opposite = Mesh::next(h);
+    rim_.push_back({ origin(opposite), target(opposite), twin(opposite), isConstraint(opposite) });
+    free(Mesh::slotOf(opposite));
   }
   slotOfVertex_[v] = kNoIndex;
   freeVertices_.push_back(v);
@@ -91,13 +97,12 @@ void LivingMesh::freeStar(Vertex v, const Ring& ring, std::vector<RimEdge>& rim)
 
 void LivingMesh::joinThree(Vertex v, const Ring& ring)
 {
-  std::vector<RimEdge> rim;
-  freeStar(v, ring, rim);
+  freeStar(v, ring);
   const Slot s = newSlot();
   set(s, ring[0], ring[1], ring[2]);
   for (std::uint32_t e = 0; e < 3; ++e) // edge e runs from corner e + 1
   {
-    const RimEdge& edge = rim[(e + 1) % 3];
+    const RimEdge& edge = rim_[(e + 1) % 3];
     join(s + e, edge.outside, edge.isConstraint);
   }
 }
@@ -110,15 +115,14 @@ bool LivingMesh::joinFour(Vertex v, const Ring& ring, std::vector<Edge>& made)
     const Vertex a = ring[k], b = ring[k + 1], c = ring[k + 2], d = ring[(k + 3) % 4];
     if (side(a, c, places_[v]) == 0 && side(a, b, places_[c]) > 0 && side(c, d, places_[a]) > 0)
     {
-      std::vector<RimEdge> rim;
-      freeStar(v, { a, b, c, d }, rim);
+      freeStar(v, { a, b, c, d });
       const Slot s = newSlot(), t = newSlot();
       set(s, a, b, c);
       set(t, c, d, a);
-      join(s + 2, rim[0].outside, rim[0].isConstraint);
-      join(s, rim[1].outside, rim[1].isConstraint);
-      join(t + 2, rim[2].outside, rim[2].isConstraint);
-      join(t, rim[3].outside, rim[3].isConstraint);
+      join(s + 2, rim_[0].outside, rim_[0].isConstraint);
+      join(s, rim_[1].outside, rim_[1].isConstraint);
+      join(t + 2, rim_[2].outside, rim_[2].isConstraint);
+      join(t, rim_[3].outside, rim_[3].isConstraint);
       link(s + 1, t + 1);
       made.push_back({ a, c });
       return true;
@@ -129,11 +133,16 @@ bool LivingMesh::joinFour(Vertex v, const Ring& ring, std::vector<Edge>& made)
 
 bool LivingMesh::remove(Vertex v)
 {
-  Ring ring = ringOf(v);
-  std::vector<Edge> made;
-  flipAway(v, ring, made);
-  bool isGone = ring.size() == 3;
-  if (isGone)
+  std::vector<Edge>& made = suspects_;
+  Ring ring = flipAway(v, made);
+  const auto ghost = std::find(ring.begin(), ring.end(), kGhost);
+  bool isGone = true;
+  if (ghost != ring.end())
+  {
+    std::rotate(ring.begin(), ghost, ring.end());
+    isGone = removeFromHull(v, ring);
+  }
+  else if (ring.size() == 3)
   {
     joinThree(v, ring);
   }

@@ -111,4 +111,24 @@ bool LivingMesh::constrain(Vertex a, Vertex b)
   return true;
 }
 
+void LivingMesh::findPieces(Vertex a, Vertex b, std::vector<Edge>& pieces) const
+{
+  pieces.clear();
+  std::vector<Way> ways;
+  findWay(a, b, ways);
+  for (const Way& way : ways)
+  {
+    pieces.push_back({ way.from, way.to });
+  }
+}
+
+void LivingMesh::release(Vertex a, Vertex b)
+{
+  const Halfedge h = edge(a, b);
+  setConstraint(h, false);
+  setConstraint(twin(h), false);
+  std::vector<Edge> suspects = { { a, b } };
+  makeDelaunay(suspects);
+}
+
 } // namespace ahd
