@@ -180,7 +180,7 @@ void Edit::attach(Index id)
 /// Removes the vertex of one point. The mesh goes with it where the others are on a line.
 Edit::Outcome Edit::removeVertex(Vertex v)
 {
-  const std::vector<Vertex> ends = constraintsAt(v);
+  const std::vector<Vertex> ends = uses_.empty() ? std::vector<Vertex>() : constraintsAt(v);
   if (ends.size() > 2)
   {
     return Outcome::SegmentsMeet;
@@ -192,7 +192,7 @@ Edit::Outcome Edit::removeVertex(Vertex v)
     uses_.erase(key(v, end));
     mesh_.release(v, end);
   }
-  if (!(mesh_.isRemovable(v) ? mesh_.remove(v) : mesh_.removeFromHull(v)))
+  if (!mesh_.remove(v))
   {
     forgetMesh(); // the others are collinear
     isOver_ = true;
