@@ -99,12 +99,61 @@ void LivingMesh::makeStar(Vertex v, const Edge& split)
 
 LivingMesh::Vertex LivingMesh::insert(const Point& p, const Spot& spot)
 {
-  const bool splits = spot.kind == Kind::OnEdge && isConstraint(spot.at);
-  const Edge split = splits ? Edge{ origin(spot.at), target(spot.at) } : Edge{ kNoIndex, kNoIndex };
   findCavity(p, spot);
   findRim(spot);
+  return insertSeen(p, spot);
+}
+
+void LivingMesh::look(const Point& p, const Spot& spot)
+{
+  findCavity(p, spot);
+  findRim(spot);
+  for (const Slot s : cavity_)
+  {
+    data_[s + kFlags] &= ~kMarked;
+  }
+}
+
+LivingMesh::Vertex LivingMesh::insertSeen(const Point& p, const Spot& spot)
+{
+  const bool splits = spot.kind == Kind::OnEdge && isConstraint(spot.at);
+  const Edge ends = splits ? Edge{ origin(spot.at), target(spot.at) } : Edge{ kNoIndex, kNoIndex };
   const Vertex v = newVertex(p);
-  makeStar(v, split);
+  makeStar(v, ends);
+  return v;
+}
+
+/// Four triangles for two, whatever side of the edge the vertex is on; flips do the rest. They flip
+/// the new edges across h, too: the vertex is only nearly on it, so the old triangle may remain.
+LivingMesh::Vertex LivingMesh::split(Halfedge h, const Point& p)
+{
+  const Halfedge g = twin(h);
+  const Vertex a = origin(h), b = target(h), c = apex(h), d = apex(g);
+  const bool is = isConstraint(h);
+  const Halfedge sides[] = { Mesh::previous(h), Mesh::next(h), Mesh::next(g), Mesh::previous(g) };
+  RimEdge rim[4]; // c to a, b to c, a to d, d to b
+  for (int k = 0; k < 4; ++k)
+  {
+    rim[k] = { origin(sides[k]), target(sides[k]), twin(sides[k]), isConstraint(sides[k]) };
+  }
+  const Slot t = Mesh::slotOf(h), u = Mesh::slotOf(g), left = newSlot(), right = newSlot();
+  const Vertex v = newVertex(p);
+  star_ = { t, left, u, right };
+  for (int k = 0; k < 4; ++k)
+  {
+    set(star_[std::size_t(k)], v, rim[k].from, rim[k].to);
+    join(star_[std::size_t(k)], rim[k].outside, rim[k].isConstraint);
+  }
+  link(t + 2, left + 1);  // v to c
+  link(t + 1, u + 2);     // a to v
+  link(u + 1, right + 2); // d to v
+  link(left + 2, right + 1);
+  for (const Halfedge e : { t + 1, u + 2, left + 2, right + 1 })
+  {
+    setConstraint(e, is);
+  }
+  std::vector<Edge> suspects{ { c, a }, { b, c }, { a, d }, { d, b }, { v, c }, { v, d } };
+  makeDelaunay(suspects, &star_);
   return v;
 }
 

@@ -253,8 +253,9 @@ LivingMesh::Halfedge LivingMesh::flip(Halfedge h)
   return t + 1;
 }
 
-/// Flips what is not Delaunay, among the suspects and whatever that makes suspect.
-void LivingMesh::makeDelaunay(std::vector<Edge>& suspects)
+/// Flips what is not Delaunay, among the suspects and whatever that makes suspect. `flipped` gets
+/// the slots.
+void LivingMesh::makeDelaunay(std::vector<Edge>& suspects, std::vector<Slot>* flipped)
 {
   while (!suspects.empty())
   {
@@ -269,6 +270,10 @@ void LivingMesh::makeDelaunay(std::vector<Edge>& suspects)
     if (a != kGhost && d != kGhost && b != kGhost && c != kGhost &&
       inConflict(places_[a], places_[b], places_[c], places_[d]))
     {
+      if (flipped)
+      {
+        flipped->insert(flipped->end(), { Mesh::slotOf(h), Mesh::slotOf(twin(h)) });
+      }
       flip(h);
       suspects.insert(suspects.end(), { { a, b }, { c, a }, { b, d }, { d, c } });
     }

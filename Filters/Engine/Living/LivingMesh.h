@@ -101,8 +101,31 @@ public:
   Vertex insert(const Point& p, const Spot& spot);
   /// The slots whose triangles the last insertion replaced, which are in use again;
   const std::vector<Slot>& replaced() const { return cavity_; }
-  /// and those of the triangles that it made, all around the new vertex.
+  /// and those of the triangles that it made, all around the new vertex. After split(): of those
+  /// that it changed, some of them twice.
   const std::vector<Slot>& star() const { return star_; }
+
+  /// insert() in two steps. The first finds what the vertex would replace, and changes nothing;
+  void look(const Point& p, const Spot& spot);
+  /// then this calls f(half-edge) for each edge of its border, as seen from outside;
+  template <typename F>
+  void eachOfRim(F f) const
+  {
+    for (const RimEdge& edge : rim_)
+    {
+      f(edge.outside);
+    }
+  }
+  /// and this inserts it. @pre nothing has changed since look() of the same place
+  Vertex insertSeen(const Point& p, const Spot& spot);
+
+  /// Splits an edge at a place that may lie beside it, as rounding has it; both halves are
+  /// constraints if the edge was one. The slots of the two triangles stay on their sides of it, and
+  /// each side gets one of the next two slots after the last: end() for that of h, end() +
+  /// kSlotSize for that of its twin. @pre nothing was removed; the two triangles are no ghosts, and
+  /// the four that the vertex makes of them counterclockwise
+  /// @return its number
+  Vertex split(Halfedge h, const Point& p);
 
   /// Makes the segment a row of edges from vertex to vertex on it. Returns false, with nothing
   /// changed, if it crosses a constraint. @pre a and b are different vertices
@@ -158,7 +181,7 @@ private:
   int side(Vertex a, Vertex b, const Point& p) const;
   Halfedge flip(Halfedge h);
   bool canFlip(Halfedge h) const;
-  void makeDelaunay(std::vector<Edge>& suspects);
+  void makeDelaunay(std::vector<Edge>& suspects, std::vector<Slot>* flipped = nullptr);
 
   // LivingInsert.cxx
   bool conflicts(Slot s, const Point& p) const;
