@@ -40,6 +40,7 @@ const std::map<std::string, Names>& allowedParts()
     { "Living", { "Points", "Predicates", "Mesh" } },
     { "Edit",
       { "Points", "Order", "Predicates", "Mesh", "Living", "Triangulation", "" } },
+    { "Refine", { "Arithmetic", "Points", "Predicates", "Mesh", "Living", "Triangulation" } },
     { "Outline", { "Points", "Order", "Predicates", "Prepare" } },
     { "Prepare",
       { "Arithmetic", "Points", "Order", "Predicates", "Merge", "Crossings", "Surface",
