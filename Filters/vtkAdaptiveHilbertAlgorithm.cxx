@@ -33,7 +33,7 @@ void vtkAdaptiveHilbertAlgorithm::SetAlpha(double value)
 
 void vtkAdaptiveHilbertAlgorithm::SetMaximumError(double value)
 {
-  vtkAHDSetClamped(this, this->MaximumError, value, 0.0, 1.7e+308);
+  vtkAHDSetClamped(this, this->MaximumError, value, 0.0, VTK_DOUBLE_MAX);
 }
 
 void vtkAdaptiveHilbertAlgorithm::SetTolerance(double value)

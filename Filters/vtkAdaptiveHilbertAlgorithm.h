@@ -328,9 +328,7 @@ public:
   /// Leave out points as long as the surface differs at none of them by more than this, vertically
   /// (in a fitted plane: along its normal), in the units of z. Corners of the convex hull and
   /// points of lines and outlines stay. Largest Error is the largest that is left, Number Of Points
-  /// Within Error the number left out. 0: off, all points. From 0 to
-  /// 169999999999999993883079578865998174333346074304075874502773119193537729178160565864330091787584707988572262467983188919169916105593357174268369962062473635296474636515660464935663040684957844303524367815028553272712298986386310828644513212353921123253311675499856875650512437415429217994623324794855339589632.
-  /// Default 0.
+  /// Within Error the number left out. 0: off, all points. Default 0, at least 0.
   /// The bound holds at all points that represent a place, and is checked in wider arithmetic. It
   /// is not combined with Insertion Limit, Alpha, or the mean of DuplicatePolicy: these are
   /// refused.

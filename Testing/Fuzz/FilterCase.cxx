@@ -386,6 +386,9 @@ std::map<std::string, double> FilterCase::ofSurface() const
     { "Tolerance", number(head_[kTolerance]) / 64 },
     { "Offset", number(head_[kOffset]) },
     { "InsertionLimit", head_[kLimit] },
+    { "MaximumError", 0.0 }, // all points are expected
+    { "MaximumNumberOfVertices", 0.0 },
+    { "SecondPass", 0.0 },
   };
 }
 

@@ -7,6 +7,7 @@
 #include "../Voronoi/ConvexPolygon.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace ahd
@@ -264,7 +265,7 @@ Status Run::simplify(RunResult& made)
   SimplifyRequest request;
   request.points = made.points.points();
   request.constraints = made.points.constraints();
-  request.maximumError = settings_.maximumError;
+  request.maximumError = std::min(settings_.maximumError, std::numeric_limits<double>::max());
   request.maximumNumberOfVertices = settings_.maximumNumberOfVertices;
   request.secondPass = settings_.secondPass;
   request.representative = settings_.options.representative;

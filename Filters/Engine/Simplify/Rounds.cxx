@@ -16,6 +16,13 @@ constexpr double kLeastOfLargest = 0.75;
 /// Where the bound is 0, progress is measured to this part of the first error.
 constexpr double kSmall = 1e-6;
 
+/// About the binary logarithm, growing with x > 0.
+double roughLog2(double x)
+{
+  int exponent = 0;
+  return 2.0 * std::frexp(x, &exponent) + exponent;
+}
+
 /// Which triangles of a vertex are looked at.
 enum Look : unsigned char
 {
@@ -148,7 +155,8 @@ void Rounds::report(std::size_t units)
   first_ = std::max(first_, largest);
   const double last = std::max(bound_, kSmall * first_);
   const double part = std::isfinite(first_) && first_ > last
-    ? std::log(first_ / std::max(largest, last)) / std::log(first_ / last)
+    ? (roughLog2(first_) - roughLog2(std::max(largest, last))) /
+      (roughLog2(first_) - roughLog2(last))
     : 0.0;
   const auto passed = static_cast<std::size_t>(part * double(units));
   if (passed > passed_)

@@ -51,7 +51,7 @@ const SettingRow kSettingRows[] = {
     [](Filter* f, double v) { f->SetAlphaLines(static_cast<vtkTypeBool>(v)); } },
   { "AlphaVerts", false, 1, 0, 1,
     [](Filter* f, double v) { f->SetAlphaVerts(static_cast<vtkTypeBool>(v)); } },
-  { "MaximumError", true, 0, 0.0, 1.7e+308, [](Filter* f, double v) { f->SetMaximumError(v); } },
+  { "MaximumError", true, 0, 0.0, kNoEnd, [](Filter* f, double v) { f->SetMaximumError(v); } },
   { "MaximumNumberOfVertices", false, 0, 0, kNoEnd,
     [](Filter* f, double v) { f->SetMaximumNumberOfVertices(static_cast<vtkIdType>(v)); } },
   { "SecondPass", false, 0, 0, 1, [](Filter* f, double v) { f->SetSecondPass(v != 0); } },
