@@ -10,7 +10,7 @@ import os
 import threading
 import time
 from types import FrameType
-from typing import TYPE_CHECKING, Any, Callable, Dict, List, NamedTuple, Optional
+from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -22,7 +22,8 @@ else:
     except ImportError:
         import signal
 
-from ._interface import BAD_ARRAY, BadInput, Progress, Projection
+from ._held import anchor
+from ._interface import BAD_ARRAY, BUSY, NO_JOB, BadInput, NotAvailable, Progress, Projection
 
 if TYPE_CHECKING:
     from ._library import Job
@@ -74,7 +75,8 @@ PROJECTION, NO_PROJECTION = Projection(_on_projection), Projection()
 
 
 class Interrupts:
-    """While it is entered, exceptions of the handler of SIGINT go to `tell`, which cancels the work.
+    """While it is entered, exceptions of the handler of SIGINT are put aside: they cancel the call, which raises them,
+    and those that its callbacks have made of other jobs.
 
     Python runs the handler when a callback begins, before its first line: an exception from there would be
     printed by ctypes and lost. Only the main thread runs handlers, so others need none of this.
@@ -82,8 +84,8 @@ class Interrupts:
     The handler that the program wants is the one that it set last: before, by its handler or by a callback.
     """
 
-    def __init__(self, tell: Callable[[BaseException], None], thread: threading.Thread) -> None:
-        self._tell = tell
+    def __init__(self, job: Job, thread: threading.Thread) -> None:
+        self._job = job
         self._thread = thread  # this one
         self._handler: Any = None  # the program's
         self._isEntered = False
@@ -107,6 +109,12 @@ class Interrupts:
                 signal.signal(signal.SIGINT, last)
             self._isEntered = False
 
+    def _put_aside(self, error: BaseException) -> None:
+        self._job._raised = error
+        for call in list(AT_WORK.values()):
+            if call.thread is self._thread:
+                call.job._raised = error
+
     def _interrupt(self, number: int, frame: Optional[FrameType]) -> None:
         if not self._isEntered:  # a program that looked the handler up during the work has set it again
             self._handler(number, frame)
@@ -115,11 +123,54 @@ class Interrupts:
         try:
             self._handler(number, frame)
         except BaseException as error:
-            self._tell(error)
+            self._put_aside(error)
         changed = signal.getsignal(signal.SIGINT)
         if changed != before and callable(changed):
             self._handler = changed
             signal.signal(signal.SIGINT, self._interrupt)
+
+
+# --- The call -----------------------------------------------------------------------------------------------
+
+SOON = 0.05  #: seconds of a call before it notices Ctrl-C: most end sooner, and are spared the callbacks
+
+
+def busy() -> NotAvailable:
+    return NotAvailable("the triangulation is being computed: a progress function cannot use it", BUSY)
+
+
+def make_call(job: Job, function: Any, arguments: Tuple[Any, ...], arrays: Sequence[np.ndarray]) -> int:
+    """Calls a function of the library with a job and these arguments, and returns the status. `arrays`: those of
+    callers whose addresses are among the arguments."""
+    handle = job._handle
+    thread = threading.current_thread()
+    call = Call(job, thread, [anchor(array) for array in arrays])
+    if handle.address is None:
+        return NO_JOB
+    raised: Optional[BaseException] = None
+    try:
+        with Interrupts(job, thread):  # until the call is unregistered
+            try:
+                if AT_WORK.setdefault(handle.address, call) is not call:
+                    raise busy()
+                end_with_the_program()
+                # without a progress function the main thread alone, for Ctrl-C
+                isMain = thread is threading.main_thread()
+                job._hear(0.0 if job._progress is not None else SOON if isMain else None)
+                status = function(handle, *arguments)
+            finally:
+                if AT_WORK.get(handle.address) is call:
+                    del AT_WORK[handle.address]
+    finally:
+        if handle.address not in AT_WORK:  # else it is for the call that is at work
+            raised, job._raised = job._raised, None
+    if raised is not None:
+        try:
+            raise raised
+        finally:
+            del raised  # else it and this frame keep each other
+    end_with_the_program()
+    return int(status)
 
 
 # --- When threads end that are at work ----------------------------------------------------------------------

@@ -323,6 +323,7 @@ class Request:
         """A view, with its own shape, of the array made of an argument."""
         if _is_shown(array, given):
             self._shared[name] = anchor(array)
+            self._described[name] = library.described(name, array)
             array = array.view()
         self.arrays[name] = array
 
@@ -423,11 +424,11 @@ class Request:
         """A job that is ready to run, with these arrays announced."""
         job = library.take_job()
         usual = library.defaults()
-        job.set(**{name: value for name, value in self.settings.items() if value != usual[name]})
+        settings = {name: value for name, value in self.settings.items() if value != usual[name]}
         told = library.threads_told()
-        if told and not self.settings["threads"]:
-            job.set(threads=told)
-        job.set(**{"want_" + name: 1 for name in wanted})
+        if told and "threads" not in settings:
+            settings["threads"] = told
+        job.set(**settings, **{"want_" + name: 1 for name in wanted})
         for name, array in self.arrays.items():
             job.set_array(name, array, self._laid_out(name))
         if self.projection is not None:

@@ -254,7 +254,8 @@ def library_path() -> str:
     return os.environ.get(LIBRARY_VARIABLE) or os.path.join(os.path.abspath(_folders[-1]), _file_name())
 
 
-def _load(path: str) -> ctypes.CDLL:
+def _load(path: str) -> Tuple[ctypes.CDLL, ctypes.PyDLL]:
+    """C and Held."""
     try:
         library = ctypes.CDLL(path)
     except OSError as error:
@@ -271,15 +272,20 @@ def _load(path: str) -> ctypes.CDLL:
             "adaptivehilbertdelaunay: %s has version %d of the C interface, but version %d is needed"
             % (path, found, ABI_VERSION)
         )
-    for name, (result, arguments) in _signatures().items():
-        function = getattr(library, name, None)
-        if function is None:
+    signatures = _signatures()
+    for name in signatures:
+        if getattr(library, name, None) is None:
             raise ImportError("adaptivehilbertdelaunay: %s has no function %s: it is of another build" % (path, name))
-        function.restype, function.argtypes = result, arguments
-    return library
+    held = ctypes.PyDLL(path, handle=library._handle)
+    for name, (result, arguments) in signatures.items():
+        for function in (getattr(library, name), getattr(held, name)):
+            function.restype, function.argtypes = result, arguments
+    return library, held
 
 
-C = _load(library_path())  # CDLL: the GIL is released while a function of it is at work
+#: The functions of the library, twice: the GIL is released while one of the first is at work, and kept while one of the
+#: second is, which must end soon: nothing of Python's happens meanwhile, callbacks excepted.
+C, Held = _load(library_path())
 
 
 def version() -> str:
@@ -337,13 +343,26 @@ def array_type(kind: Any, count: int) -> Any:
     return kind * count
 
 
+_addressof = ctypes.addressof
+_byte_of: Any = ctypes.c_char.from_buffer  # for mypy an array is no buffer
+
+
+def address_of(array: np.ndarray) -> int:
+    """Where its numbers begin. NumPy's own way to say it, the last one, takes three times as long; the other one is for
+    arrays that may be written without a warning."""
+    flags = array.flags
+    if flags.owndata and flags.writeable and flags.c_contiguous and array.size:
+        return _addressof(_byte_of(array))
+    return int(array.ctypes.data)
+
+
 def described(name: str, array: np.ndarray) -> Array:
     """How an input array lies in memory."""
     number, flat = TYPES.get(array.dtype), array.ndim == 1
     if number is None or not array.flags.aligned or array.ndim not in (1, 2):
         raise BadInput("%s: an array of %d dimensions and type %s" % (name, array.ndim, array.dtype.str), BAD_ARRAY)
     return Array(
-        array.ctypes.data if array.size else None,
+        address_of(array) if array.size else None,
         number,
         1 if flat else array.shape[1],
         array.shape[0],
@@ -363,13 +382,13 @@ def say(topic: int, words: int, facts: Mapping[str, Any], job: Any = None) -> Di
     or lists of these; `job`: a Job whose counts are facts, too."""
     lists = {name: value if isinstance(value, list) else [value] for name, value in facts.items()}
     rows = [_fact(name, one) for name, each in lists.items() for one in each]
-    given = array_type(Fact, len(rows))(*rows)
+    given = array_type(Fact, len(rows))(*rows) if rows else None
     handle, count = job and job._handle, len(rows)
-    needed = C.ahd_say(handle, topic, words, given, count, None, 0)
+    needed = Held.ahd_say(handle, topic, words, given, count, None, 0)
     if needed == 1:
         return {}
     out = ctypes.create_string_buffer(needed)
-    if needed == 0 or C.ahd_say(handle, topic, words, given, count, out, needed) != needed:
+    if needed == 0 or Held.ahd_say(handle, topic, words, given, count, out, needed) != needed:
         raise MemoryError
     said = out.raw[: needed - 1].decode(errors="surrogateescape").split("\0")
     return dict(zip(said[::2], said[1::2]))
@@ -389,9 +408,9 @@ def fingerprint(array: np.ndarray, kind: int = 0, address: Optional[int] = None)
     made = _TwoWords(kind, 0)
     rows = 1 << 13
     if address is not None and len(array) <= rows and array.flags.c_contiguous:
-        C.ahd_fingerprint(address, array.nbytes, kind, made)
+        Held.ahd_fingerprint(address, array.nbytes, kind, made)
         return made[0], made[1]
     for begin in range(0, max(1, len(array)), rows):
         part = np.ascontiguousarray(array[begin : begin + rows])
-        C.ahd_fingerprint(part.ctypes.data, part.nbytes, made[0] ^ made[1], made)
+        C.ahd_fingerprint(address_of(part), part.nbytes, made[0] ^ made[1], made)
     return made[0], made[1]

@@ -11,19 +11,18 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import functools
-import threading
-from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence, Set, Tuple, Union
 
 import numpy as np
 
 from ._interface import *  # noqa: F403
 from ._interface import (
-    AT_CROSSINGS, AT_SURFACE, BAD_ARRAY, BUSY, COUNTS, DOUBLE_SETTINGS, ERRORS, FIXED_DTYPES, INT_SETTINGS, MEASURES,
-    NO_JOB, OK, OUTSIDE_NO_VALUE, SAMPLE_LINEAR, TYPES, Array, BadInput, C, Drawing, Fault,
-    NotAvailable, OutlineReport, Places, Sampled, array_type, described, names, status_name,
+    AT_CROSSINGS, AT_SURFACE, BAD_ARRAY, COUNTS, DOUBLE_SETTINGS, ERRORS, FIXED_DTYPES, INT_SETTINGS, MEASURES,
+    OK, OUTSIDE_NO_VALUE, SAMPLE_LINEAR, TYPES, Array, BadInput, C, Drawing, Fault, Held,
+    OutlineReport, Places, Sampled, address_of, array_type, described, names, status_name,
 )  # fmt: skip
 from ._calls import AT_WORK as _at_work
-from ._calls import NO_PROGRESS, NO_PROJECTION, PROGRESS, PROJECTION, Call, Interrupts, end_with_the_program
+from ._calls import NO_PROGRESS, NO_PROJECTION, PROGRESS, PROJECTION, busy, make_call
 from ._held import NO_HANDLE, Handle, anchor
 from ._raster import Raster, Samples
 
@@ -32,10 +31,11 @@ from ._raster import Raster, Samples
 ProgressFunction = Callable[[int, float], Any]
 ProjectionFunction = Callable[[np.ndarray], Any]
 Number = Union[int, float]
-SOON = 0.05  #: seconds of a call before it notices Ctrl-C: most end sooner, and are spared the callbacks
+FEW = 256  #: points or places: work on so many mostly ends within 0.1 ms, on the worst in 50
 FEW_BYTES = 1 << 20  #: without a limit, results of so many need not be counted before there is memory for them
 NO_MASK = np.empty(0, np.uint8)
 
+_PLAIN = frozenset(("points", "skip", "matrix", "voronoi_polygon"))  # no constraints
 _INTS = frozenset(names(INT_SETTINGS))
 _DOUBLES = frozenset(names(DOUBLE_SETTINGS))
 
@@ -55,22 +55,26 @@ class Job:
     all are EngineErrors and have a `status`.
     """
 
+    wasCancelled = False  #: perhaps the next call will hear of it
+    hasTables = False  #: has the library all that it needs of the input to find places?
+    _raised: Optional[BaseException] = None
+    _progress: Optional[ProgressFunction] = None
+    _projection: Optional[ProjectionFunction] = None
+    _hears: Optional[float] = None  # of progress, after so many seconds
+    _isLimited = False  # is there a memory_limit?
+    _how: Optional[Tuple[int, int]] = (SAMPLE_LINEAR, OUTSIDE_NO_VALUE)  # that are set, if they are known
+    _sampledBy = -1  # the method that is ready
+    _rows = -1  # of results for points, where they have been counted
+
     def __init__(self, handle: Optional[Handle] = None) -> None:
         """Of a new job of the library, or of one that was handed on."""
         self._handle = Handle() if handle is None else handle
-        self._raised: Optional[BaseException] = None
-        self.wasCancelled = False  # perhaps the next call will hear of it
         self._arrays: Dict[str, Any] = {}  # owners of the memory that the library reads
-        self._progress: Optional[ProgressFunction] = None
-        self._projection: Optional[ProjectionFunction] = None
-        self._hears: Optional[float] = None  # of progress, after so many seconds
-        self._how: Optional[Tuple[int, int]] = (SAMPLE_LINEAR, OUTSIDE_NO_VALUE)  # that are set, if they are known
-        self._forget()
+        self._long: Set[str] = set()  # inputs with which a run may take long; without, it is one of a few points
 
     def _forget(self) -> None:
         """There is no result, or another one."""
-        self.hasTables = False  # has the library all that it needs of the input to find places?
-        self._rows = -1  # of results for points, where they have been counted
+        self.hasTables, self._sampledBy, self._rows = False, -1, -1
 
     def hand_on(self) -> Handle:
         """The library's job, taken out of this one, which is of no use any more."""
@@ -80,65 +84,38 @@ class Job:
     def begin_anew(self) -> None:
         """With a new job of the library. The one before may be at work for ever, and is not freed."""
         self._handle.abandon()
+        self.__dict__.clear()
         self.__init__()  # type: ignore[misc]
 
     # --- calls ---
 
     def _check(self, status: int) -> None:
         if status != OK:
-            message = C.ahd_message(self._handle).decode() or status_name(status)
+            message = Held.ahd_message(self._handle).decode() or status_name(status)
             raise ERRORS.get(status, Fault)(message, status)
 
-    def _listen(self, thread: threading.Thread) -> None:
-        """Callbacks take the GIL: there are none without a progress function but in the main thread, for Ctrl-C."""
-        wanted = 0.0 if self._progress is not None else SOON if thread is threading.main_thread() else None
+    def _hear(self, wanted: Optional[float]) -> None:
+        """Of progress, after so many seconds. Callbacks take the GIL."""
         if wanted != self._hears:
             function = NO_PROGRESS if wanted is None else PROGRESS
-            self._check(C.ahd_set_progress(self._handle, function, self._handle))
-            self._check(C.ahd_set_double(self._handle, b"progress_delay", wanted or 0.0))
+            self._check(Held.ahd_set_progress(self._handle, function, self._handle))
+            self._check(Held.ahd_set_double(self._handle, b"progress_delay", wanted or 0.0))
             self._hears = wanted
 
     def refuse_if_busy(self) -> None:
         """NotAvailable during a call, which is that of a progress function."""
         if self._handle.address in _at_work:
-            raise _busy()
+            raise busy()
 
-    def _put_aside(self, error: BaseException) -> None:
-        """Cancels the call, which raises it, and those that its callbacks have made of other jobs: of this thread, the
-        main one."""
-        self._raised = error
-        for call in list(_at_work.values()):
-            if call.thread is threading.current_thread():
-                call.job._raised = error
-
-    def _call(self, function: Any, *arguments: Any, arrays: Sequence[np.ndarray] = ()) -> None:
-        """A call that may take long. `arrays`: those of callers whose addresses are among the arguments."""
-        handle = self._handle
-        thread = threading.current_thread()
-        call = Call(self, thread, [anchor(array) for array in arrays])
-        if handle.address is None:
-            self._check(NO_JOB)
-        raised: Optional[BaseException] = None
-        try:
-            with Interrupts(self._put_aside, thread):  # until the call is unregistered
-                try:
-                    if _at_work.setdefault(handle.address, call) is not call:
-                        raise _busy()
-                    end_with_the_program()
-                    self._listen(thread)
-                    status = function(handle, *arguments)
-                finally:
-                    if _at_work.get(handle.address) is call:
-                        del _at_work[handle.address]
-        finally:
-            if handle.address not in _at_work:  # else it is for the call that is at work
-                raised, self._raised = self._raised, None
-        if raised is not None:
-            try:
-                raise raised
-            finally:
-                del raised  # else it and this frame keep each other
-        end_with_the_program()
+    def _call(self, name: str, *arguments: Any, arrays: Sequence[np.ndarray] = (), isBrief: bool = False) -> None:
+        """A call that may take long, unless it `isBrief`: then nothing of Python's happens meanwhile, and Ctrl-C waits
+        for its end. `arrays`: those of callers whose addresses are among the arguments."""
+        if isBrief and self._progress is None:
+            self.refuse_if_busy()
+            self._hear(None)
+            status = getattr(Held, name)(self._handle.address, *arguments)
+        else:
+            status = make_call(self, getattr(C, name), arguments, arrays)
         self._check(status)
 
     # --- settings ---
@@ -147,24 +124,25 @@ class Job:
         """Changes settings, whole numbers (True and False too) and others by their names."""
         for name, value in settings.items():
             if name in _DOUBLES:
-                self._check(C.ahd_set_double(self._handle, name.encode(), float(value)))
+                self._check(Held.ahd_set_double(self._handle, name.encode(), float(value)))
             else:
                 number = value.__index__() if hasattr(value, "__index__") else None
                 if number is None and name in _INTS:
                     raise TypeError("%s must be a whole number, not %r" % (name, value))
                 if number is not None and not -(1 << 63) <= number < 1 << 63:
                     raise BadInput("%s: %d is out of range" % (name, number))
-                self._check(C.ahd_set_int(self._handle, name.encode(), number or 0))
+                self._check(Held.ahd_set_int(self._handle, name.encode(), number or 0))
+                self._isLimited = number != 0 if name == "memory_limit" else self._isLimited
 
     def get(self, name: str) -> Number:
         """The value of a setting."""
         value: Any
         if name in _DOUBLES:
             value = ctypes.c_double()
-            self._check(C.ahd_get_double(self._handle, name.encode(), value))
+            self._check(Held.ahd_get_double(self._handle, name.encode(), value))
         else:
             value = ctypes.c_int64()
-            self._check(C.ahd_get_int(self._handle, name.encode(), value))
+            self._check(Held.ahd_get_int(self._handle, name.encode(), value))
         return value.value  # type: ignore[no-any-return]
 
     # --- input ---
@@ -175,25 +153,32 @@ class Job:
         the machine's byte order, aligned. `given`: described(array), if there is one."""
         if array is None:
             self._forget()
-            self._check(C.ahd_set_array(self._handle, name.encode(), None))
+            self._check(Held.ahd_set_array(self._handle, name.encode(), None))
             self._arrays.pop(name, None)
+            self._long.discard(name)
             return
         given = given or described(name, array)
         self._forget()
+        self._long.add(name)
         before, now = self._arrays.get(name), anchor(array)
         self._arrays[name] = (before, now)  # whichever of them the library has if this is interrupted
-        status = C.ahd_set_array(self._handle, name.encode(), given)
+        status = Held.ahd_set_array(self._handle, name.encode(), given)
         self._arrays[name] = now if status == OK else before
         if self._arrays[name] is None:
             del self._arrays[name]
         self._check(status)
+        if name in _PLAIN and given.rows <= FEW:
+            self._long.discard(name)
 
     def set_projection(self, projection: Optional[ProjectionFunction]) -> None:
         """For PLANE_CALLBACK: a function that is given (k, 3) float64, points, and changes them in place to
         where they lie in the plane and their height above it. None takes it away."""
         function = NO_PROJECTION if projection is None else PROJECTION
-        self._check(C.ahd_set_projection(self._handle, function, self._handle))
+        self._long.add("projection")
+        self._check(Held.ahd_set_projection(self._handle, function, self._handle))
         self._projection = projection
+        if projection is None:
+            self._long.discard("projection")
 
     def set_progress(self, progress: Optional[ProgressFunction]) -> None:
         """A function that is told the phase, a number of PHASES, and the fraction that is done, 0 to 1, by the
@@ -216,7 +201,7 @@ class Job:
     def run(self) -> None:
         """Triangulates. Discards the previous result."""
         self._forget()
-        self._call(C.ahd_run)
+        self._call("ahd_run", isBrief=not self._long)
 
     def cancel(self) -> None:
         """Ends the call that is at work, or else the next one. From any thread."""
@@ -235,13 +220,13 @@ class Job:
     def fit_plane(self) -> np.ndarray:
         """The plane that fits the points best, without a run: (4, 4), see plane_matrix."""
         matrix = np.empty((4, 4))
-        self._call(C.ahd_fit_plane, matrix.ctypes.data)
+        self._call("ahd_fit_plane", address_of(matrix))
         return matrix
 
     def choose_plane(self) -> int:
         """PLANE_BEST_FIT if the points stand like a wall, else PLANE_XY: see ahd_choose_plane."""
         plane = ctypes.c_int64()
-        self._call(C.ahd_choose_plane, plane)
+        self._call("ahd_choose_plane", plane)
         return plane.value
 
     def outline(self, report: Optional[OutlineReport] = None, directed: bool = False) -> OutlineReport:
@@ -249,13 +234,13 @@ class Job:
         ahd_outline.h. What became of it goes to `report`, also where it fails. `directed`: see
         ahd_outline_directed."""
         made = OutlineReport() if report is None else report
-        self._call(C.ahd_outline_directed if directed else C.ahd_outline, made)
+        self._call("ahd_outline_directed" if directed else "ahd_outline", made)
         return made
 
     def within_radius(self, radius: float, count: int) -> np.ndarray:
         """Which of the array cells, so many triangles, are not too large: (count,) bool, see ahd_within_radius."""
         kept = np.zeros(count, np.bool_)
-        self._call(C.ahd_within_radius, radius, kept.ctypes.data, arrays=(kept,))
+        self._call("ahd_within_radius", radius, address_of(kept), arrays=(kept,))
         return kept
 
     # --- results ---
@@ -263,13 +248,13 @@ class Job:
     def count(self, name: str) -> int:
         """A count of the last run."""
         value = ctypes.c_int64()
-        self._check(C.ahd_count(self._handle, name.encode(), value))
+        self._check(Held.ahd_count(self._handle, name.encode(), value))
         return value.value
 
     def measure(self, name: str) -> float:
         """A measure of the last run."""
         value = ctypes.c_double()
-        self._check(C.ahd_measure(self._handle, name.encode(), value))
+        self._check(Held.ahd_measure(self._handle, name.encode(), value))
         return value.value
 
     def counts(self) -> Dict[str, int]:
@@ -282,7 +267,7 @@ class Job:
 
     def numbers(self, kind: int) -> Any:
         """A ctypes array of all counts or measures, COUNTS or MEASURES, in the order of names(kind)."""
-        function, of = (C.ahd_counts, ctypes.c_int64) if kind == COUNTS else (C.ahd_measures, ctypes.c_double)
+        function, of = (Held.ahd_counts, ctypes.c_int64) if kind == COUNTS else (Held.ahd_measures, ctypes.c_double)
         count = len(names(kind))
         made = array_type(of, count)()
         self._check(function(self._handle, made, count))
@@ -291,7 +276,7 @@ class Job:
     def array_shape(self, name: str) -> Tuple[int, int]:
         """Rows and columns of an output array."""
         rows, columns = ctypes.c_uint64(), ctypes.c_uint64()
-        self._check(C.ahd_array_size(self._handle, name.encode(), rows, columns))
+        self._check(Held.ahd_array_size(self._handle, name.encode(), rows, columns))
         return rows.value, columns.value
 
     def array(self, name: str, dtype: Any = None, out: Optional[np.ndarray] = None) -> np.ndarray:
@@ -307,7 +292,8 @@ class Job:
         if number is None or not out.flags.c_contiguous:
             raise BadInput("%s: cannot be written into this array of type %s" % (name, out.dtype.str), BAD_ARRAY)
         _check_writeable(name, out)
-        self._call(C.ahd_get_array, name.encode(), number, out.ctypes.data, out.size, arrays=(out,))
+        given = name.encode(), number, address_of(out), out.size
+        self._call("ahd_get_array", *given, arrays=(out,), isBrief=not self._long)
         return out
 
     def draw_order(self, xyz: np.ndarray, ranks: np.ndarray, ids: np.ndarray, levels: np.ndarray, counts: np.ndarray
@@ -321,8 +307,8 @@ class Job:
             if not array.flags.c_contiguous or array.dtype != dtype or array.size != size:
                 raise BadInput("%s: must be %d numbers of type %s" % (name, size, np.dtype(dtype).str), BAD_ARRAY)
             _check_writeable(name, array)
-        drawing = Drawing(*(array.ctypes.data for array in arrays))
-        self._call(C.ahd_draw_order, TYPES[ids.dtype], drawing, arrays=arrays)
+        drawing = Drawing(*map(address_of, arrays))
+        self._call("ahd_draw_order", TYPES[ids.dtype], drawing, arrays=arrays)
 
     def interpolate(self, values: np.ndarray, where: int = AT_SURFACE | AT_CROSSINGS) -> None:
         """Point data of points that lie between others, in place: `values` has one row of float64 for each
@@ -331,29 +317,33 @@ class Job:
         if values.dtype != np.float64 or not values.flags.c_contiguous or len(values) != self.count("points"):
             raise BadInput("values: one row of float64 for each of %d points" % self.count("points"), BAD_ARRAY)
         _check_writeable("values", values)
-        self._call(C.ahd_interpolate, where, values.ctypes.data, columns, arrays=(values,))
+        self._call("ahd_interpolate", where, address_of(values), columns, arrays=(values,))
 
     def to_plane(self, xyz: np.ndarray) -> None:
         """Moves points, (k, 3) float64, C-contiguous, in place to their position in the plane: see ahd_to_plane."""
         if xyz.dtype != np.float64 or not xyz.flags.c_contiguous or xyz.shape[1:] != (3,):
             raise BadInput("points: of shape %s, not (k, 3) float64" % (xyz.shape,), BAD_ARRAY)
         _check_writeable("points", xyz)
-        self._call(C.ahd_to_plane, xyz.ctypes.data, len(xyz), arrays=(xyz,))
+        self._call("ahd_to_plane", address_of(xyz), len(xyz), arrays=(xyz,))
 
-    def locate(self, places: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Where places, (k, 2), lie in the plane: kinds (k,) int32, ids (k, 3) int64, cells (k,) int64; see
+    def locate(self, places: np.ndarray, dtype: Any = np.int64) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Where places, (k, 2), lie in the plane: kinds (k,) int32, ids (k, 3) and cells (k,) of this type; see
         ahd_locate."""
         xy = np.ascontiguousarray(places, np.float64)
         if xy.ndim != 2 or xy.shape[1] != 2:
             raise BadInput("places: of shape %s, not (k, 2)" % (xy.shape,), BAD_ARRAY)
         count = len(xy)
         kinds, numbers = np.empty(count, np.int32), np.empty(4 * count, np.int64)
-        ids, cells = numbers[: 3 * count].reshape(count, 3), numbers[3 * count :]
-        begin = numbers.ctypes.data
-        out = (kinds.ctypes.data, begin, begin + 24 * count)
-        self._call(C.ahd_locate, xy.ctypes.data, count, *out, arrays=(xy,))
+        begin = address_of(numbers)
+        out = (address_of(kinds), begin, begin + 24 * count)
+        self._call("ahd_locate", address_of(xy), count, *out, arrays=(xy,), isBrief=self._is_brief(count))
         self.hasTables = True
-        return kinds, ids, cells
+        numbers = numbers.astype(dtype, copy=False)
+        return kinds, numbers[: 3 * count].reshape(count, 3), numbers[3 * count :]
+
+    def _is_brief(self, places: int) -> bool:
+        """Is looking up so many places?"""
+        return places <= FEW and (self.hasTables or not self._long)
 
     def _sample_by(self, method: int, outside: int) -> None:
         if (method, outside) != self._how:
@@ -387,7 +377,6 @@ class Job:
         SAMPLE_LINEAR the slopes too; without `has_mask` the mask is empty. Memory is asked for when the library has
         said that it is enough, unless it is little: of make(places), which returns Samples to be filled."""
         at, count, owners = _places_of(places)
-        values = tuple(values)
         if self._rows < 0:
             self._rows = self.count("points")
         for array in values:
@@ -396,6 +385,8 @@ class Job:
         columns = [1 if array.ndim == 1 else array.shape[1] for array in values]
         numbers = sum(columns)
         self._sample_by(method, outside)
+        isReady = self._sampledBy == SAMPLE_LINEAR or not self._long
+        isBrief = count <= FEW and self._how == (SAMPLE_LINEAR, OUTSIDE_NO_VALUE) and isReady
 
         def find() -> Samples:
             if make is not None:
@@ -406,20 +397,22 @@ class Job:
                 mask = np.empty(count, np.uint8) if has_mask else NO_MASK
             arrays = array_type(Sampled, len(columns))()
             for one, array, n, to, slope in zip(arrays, values, columns, out, slopes):
-                one.values, one.columns, one.out = array.ctypes.data, n, to.ctypes.data
-                one.gradients = None if slope is None else slope.ctypes.data
-            marks = None if mask is NO_MASK else mask.ctypes.data
-            self._call(C.ahd_sample, at, arrays, len(columns), marks, arrays=(*owners, *values))
+                one.values, one.columns, one.out = address_of(array), n, address_of(to)
+                one.gradients = None if slope is None else address_of(slope)
+            marks = None if mask is NO_MASK else address_of(mask)
+            given = at, arrays, len(columns), marks
+            self._call("ahd_sample", *given, arrays=(*owners, *values), isBrief=isBrief)
             return Samples(out, slopes, mask)
 
         needed = count * (8 * numbers * (3 if gradients else 1) + 1)
-        if needed <= FEW_BYTES and make is None and not self.get("memory_limit"):
+        if needed <= FEW_BYTES and make is None and not self._isLimited:
             found = find()
         else:
             with self._with_memory(needed):
                 self._check(C.ahd_sample_estimate(self._handle, at, numbers, ctypes.c_uint64()))
                 found = find()
         self.hasTables = True
+        self._sampledBy = method
         return found
 
     def sample_estimate_before(self, points: int, places: Union[int, Raster], columns: int, fills: bool) -> int:
@@ -434,8 +427,9 @@ class Job:
         """Makes the arrays weight_offsets, weight_points and weights: see ahd_sample_weights."""
         at, _, owners = _places_of(places)
         self._sample_by(method, OUTSIDE_NO_VALUE)
-        self._call(C.ahd_sample_weights, at, arrays=owners)
+        self._call("ahd_sample_weights", at, arrays=owners)
         self.hasTables = True
+        self._sampledBy = method
 
 
 def _places_of(places: Union[np.ndarray, Raster]) -> Tuple[Places, int, Tuple[np.ndarray, ...]]:
@@ -447,16 +441,12 @@ def _places_of(places: Union[np.ndarray, Raster]) -> Tuple[Places, int, Tuple[np
     xy = np.ascontiguousarray(places, np.float64)
     if xy.ndim != 2 or xy.shape[1] != 2:
         raise BadInput("places: of shape %s, not (k, 2)" % (xy.shape,), BAD_ARRAY)
-    return Places(xy.ctypes.data, len(xy)), len(xy), (xy,)
+    return Places(address_of(xy), len(xy)), len(xy), (xy,)
 
 
 def _check_writeable(name: str, array: np.ndarray) -> None:
     if not array.flags.writeable:
         raise BadInput("%s: cannot be written into this array, which is read-only" % name, BAD_ARRAY)
-
-
-def _busy() -> NotAvailable:
-    return NotAvailable("the triangulation is being computed: a progress function cannot use it", BUSY)
 
 
 @functools.lru_cache(None)

@@ -25,6 +25,9 @@ OUTSIDE = {"nearest": library.OUTSIDE_NEAREST_VERTEX, "boundary": library.OUTSID
 
 ProgressFunction = Callable[[str, float], Any]
 
+_REAL, _COMPLEX = np.dtype(np.float64), np.dtype(np.complex128)
+_NO_COLUMNS = np.arange(0)
+
 
 class Weights(NamedTuple):
     """The weights of the points in the value at each place: place `i`, in flattened order, has the entries
@@ -338,11 +341,13 @@ class Sampled(Made):
         isFilled = not isinstance(outside, str) and not _is_nan(outside)
         ofZ = self._columns_of_z(given)
         rows = self._for_points(given, ofZ) if self._counts["added_points"] or len(ofZ) else given
-        dtype = np.dtype(np.complex128 if given.dtype.kind == "c" else np.float64)
-        flat = np.ascontiguousarray(rows, dtype).reshape(len(rows), _product(given.shape[1:]))
+        dtype = _COMPLEX if given.dtype.kind == "c" else _REAL
+        flat = np.ascontiguousarray(rows, dtype)
+        if dtype is _COMPLEX or flat.ndim > 2:
+            flat = flat.reshape(len(rows), math.prod(given.shape[1:])).view(_REAL)
         with self._locked():
-            found = self._sampled(places, flat.view(np.float64), chosen, fills, gradient, progress, isFilled)
-        made = found.values[0].view(dtype)
+            found = self._sampled(places, flat, chosen, fills, gradient, progress, isFilled)
+        made = found.values[0] if dtype is _REAL else found.values[0].view(dtype)
         if isFilled:
             made[found.mask == 0] = outside
         elif tells and fills == library.OUTSIDE_NO_VALUE and made.size and made[0, 0] != made[0, 0]:
@@ -358,7 +363,7 @@ class Sampled(Made):
             if self._for_places().sample(places, []).mask.any():
                 return
         if isinstance(places, Raster):
-            finite, count = np.array([(places.x[k], places.y[k]) for k in (0, -1)]), _product(places.shape)
+            finite, count = np.array([(places.x[k], places.y[k]) for k in (0, -1)]), math.prod(places.shape)
         else:
             finite = places[np.isfinite(places).all(axis=1)]
             count = len(finite)
@@ -408,7 +413,7 @@ class Sampled(Made):
         request = self._request
         moves = request.settings["duplicates"] == library.DUPLICATES_MEAN_Z and self._counts["duplicates"]
         if not moves or request.columns < 3 or not given.size:
-            return np.arange(0)
+            return _NO_COLUMNS
         z, columns = self._made("given_z", self._given_z)[:, None], given.reshape(len(given), -1)
         found = np.arange(columns.shape[1])
         for most in (64, len(z)):  # a few points tell most others apart
@@ -446,13 +451,9 @@ def _is_nan(number: Any) -> bool:
     return not isinstance(number, str) and bool(number != number)
 
 
-def _product(numbers: Tuple[int, ...]) -> int:
-    return math.prod(numbers)
-
-
 def _slopes(found: np.ndarray, dtype: Any) -> np.ndarray:
     """Of each number x and y: of complex ones those of both their parts are side by side in `found`."""
-    if dtype == np.float64:
+    if dtype is _REAL:
         return found
     parts = found.reshape(len(found), found.shape[1] // 4, 2, 2)
     made: np.ndarray = np.ascontiguousarray(np.swapaxes(parts, 2, 3)).view(dtype)

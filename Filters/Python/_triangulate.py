@@ -3,18 +3,19 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Mapping, Optional, Tuple
 
 import numpy as np
 
 from . import _library as library
 from ._geometry import constraints_of
-from ._input import Plane, Request, points_of
+from ._input import Request, points_of
 from ._keywords import WANTED
 from ._triangulation import Triangulation
 from ._warnings import tell, warn
 
 _IDS = frozenset((np.dtype(np.int32), np.dtype(np.int64)))  # of the machine's byte order
+_OTHERS = ("points", "constraints", "source_points", "skip", "plane", "id_dtype", "want", "progress")
 
 
 def _constrained(
@@ -35,21 +36,10 @@ def _constrained(
     return made.source(isInSpace), {"lines": made.lines, "loops": made.loops}, settings
 
 
-def triangulate(
-    points: Any,
-    constraints: Any,
-    segments: Any,
-    lines: Any,
-    loops: Any,
-    source_points: Any,
-    skip: Any,
-    plane: Plane,
-    id_dtype: Any,
-    want: Union[str, Sequence[str]],
-    progress: Optional[Callable[[str, float], Any]],
-    **settings: Any,
-) -> Triangulation:
-    """`delaunay`, with the settings that are one number or word each."""
+def triangulate(settings: Dict[str, Any]) -> Triangulation:
+    """`delaunay` of all its arguments by name; is left those that are one number or word each."""
+    points, constraints, source_points, skip, plane, id_dtype, want, progress = map(settings.pop, _OTHERS)
+    chains = {name: settings.pop(name) for name in ("segments", "lines", "loops")}
     dtype = np.dtype(id_dtype)
     if dtype not in _IDS:
         raise TypeError("id_dtype must be numpy.int32 or numpy.int64, not %s" % dtype)
@@ -59,7 +49,6 @@ def triangulate(
             raise ValueError("want: %r is not one of %s" % (name, ", ".join(map(repr, WANTED))))
     if progress is not None and not callable(progress):
         raise TypeError("progress must be a function, not %r" % (progress,))
-    chains = {"segments": segments, "lines": lines, "loops": loops}
     if constraints is not None:
         points = points_of("points", points)
         given = {**chains, "source_points": source_points}

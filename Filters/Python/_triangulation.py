@@ -406,10 +406,10 @@ class Triangulation(Outlined):
         places = real_numbers("places", given)
         with self._locked():
             job = self._for_places()
-            kinds, corners, cells = job.locate(places)
+            kinds, corners, cells = job.locate(places, self._dtype)
         if self._others:
-            cells = np.where(cells < 0, -1, cells - self._others)
-        return Location(kinds, cells.astype(self._dtype), corners.astype(self._dtype))
+            cells = np.where(cells < 0, cells, cells - self._dtype.type(self._others))
+        return Location(kinds, cells, corners)
 
     @property
     def counts(self) -> Mapping[str, int]:

@@ -422,8 +422,8 @@ uint64_t ahd_say(ahd_job* job, int32_t topic, int32_t words, const ahd_fact* fac
   const auto say = [&](ahd::Job& own)
   {
     const ahd::Wording wording = ahd::wordingOf(words);
-    const ahd::Facts known = ahd::factsOf(own, ahd::factsOf(facts, count));
-    for (const ahd::Message& one : ahd::messages(ahd::Topic(topic), wording, known))
+    ahd::Facts known = ahd::factsOf(own, ahd::factsOf(facts, count));
+    for (const ahd::Message& one : ahd::messages(ahd::Topic(topic), wording, std::move(known)))
     {
       said += one.name + std::string(1, '\0') + one.text + '\0';
     }

@@ -148,13 +148,13 @@ Facts factsOf(const Job& job, Facts known)
   {
     for (const auto& row : kCounts)
     {
-      known.addMissing({ row.name, row.get(*made) }, given);
+      known.addNonzero(row.name, row.get(*made), given);
     }
     known = factsOf(made->sampling.report, std::move(known));
-    known.addMissing({ "splits", made->asked.split || made->points.addedToLines() > 0 }, given);
-    known.addMissing({ "cell_ids", !made->asked.idsAreOfInput }, given);
+    known.addNonzero("splits", made->asked.split || made->points.addedToLines() > 0, given);
+    known.addNonzero("cell_ids", !made->asked.idsAreOfInput, given);
     const bool areMixed = made->asked.sourceHeights == SourceHeights::Mixed;
-    known.addMissing({ "heights_are_mixed", areMixed }, given);
+    known.addNonzero("heights_are_mixed", areMixed, given);
   }
   const bool isKnown = job.madeResult() || job.report().status != Status::Ok;
   return isKnown ? factsOf(job.report(), std::move(known)) : known;

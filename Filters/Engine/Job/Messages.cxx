@@ -54,21 +54,21 @@ void addOfTriangulation(Facts& f)
 {
   const bool isEmptied = f["may_be_emptied_by_loops"] != 0;
   const bool hasPoints = f["inserted"] + f["not_finite"] > 0;
-  f.add({ "has_no_triangle", !isEmptied && f["delaunay_triangles"] == 0 && hasPoints });
-  f.add({ "distinct", f["inserted"] + f["beyond_limit"] });
-  f.add({ "are_few", f["inserted"] < 3 });
+  f.addNonzero("has_no_triangle", !isEmptied && f["delaunay_triangles"] == 0 && hasPoints);
+  f.addNonzero("distinct", f["inserted"] + f["beyond_limit"]);
+  f.addNonzero("are_few", f["inserted"] < 3);
   // Points that were not projected were tested for lying on one line.
-  f.add({ "is_wall", f["inserted"] > 0 && f["is_projected"] + f["on_one_line"] == 0 });
-  f.add({ "is_steep", f["steep_plane"] + f["plane_was_chosen"] });
-  f.add({ "is_empty", f["kept_triangles"] == 0 });
-  f.add({ "untrimmed", f["kept_triangles"] + f["trimmed_triangles"] });
+  f.addNonzero("is_wall", f["inserted"] > 0 && f["is_projected"] + f["on_one_line"] == 0);
+  f.addNonzero("is_steep", f["steep_plane"] + f["plane_was_chosen"]);
+  f.addNonzero("is_empty", f["kept_triangles"] == 0);
+  f.addNonzero("untrimmed", f["kept_triangles"] + f["trimmed_triangles"]);
   const double trimmed = f.of("trimmed_area").real; // NaN where areas are beyond all doubles
-  f.add({ "is_much_trimmed", f["bare_vertices"] > 0 || trimmed > 0.1 }); // no slivers at the rim
-  f.add({ "trimmed_percent", int(100.0 * std::min(1.0, std::max(0.0, trimmed)) + 0.5) });
-  f.add({ "are_unsaid", f["segments_crossing"] == 0 }); // loops that bound nothing
+  f.addNonzero("is_much_trimmed", f["bare_vertices"] > 0 || trimmed > 0.1); // no slivers at the rim
+  f.addNonzero("trimmed_percent", int(100.0 * std::min(1.0, std::max(0.0, trimmed)) + 0.5));
+  f.addNonzero("are_unsaid", f["segments_crossing"] == 0); // loops that bound nothing
   const bool hasSource = f["source_points"] + f["source_strips"] > 0;
-  f.add({ "constrains_nothing", hasSource && f["segments"] == 0 });
-  f.add({ "may_be_line", f["source_points"] > 1 && f["source_strips"] == 0 });
+  f.addNonzero("constrains_nothing", hasSource && f["segments"] == 0);
+  f.addNonzero("may_be_line", f["source_points"] > 1 && f["source_strips"] == 0);
   const auto addContent = [&f](const char* what, const char* one, const char* many)
   {
     if (const std::int64_t count = f[what])
@@ -270,14 +270,10 @@ std::vector<Fact> Facts::all(std::string_view name) const
   return found;
 }
 
-void Facts::addMissing(Fact fact, std::size_t given)
+bool Facts::isAmong(std::string_view name, std::size_t first) const
 {
-  const bool isGiven = std::any_of(facts_.begin(), facts_.begin() + std::ptrdiff_t(given),
-    [&fact](const Fact& one) { return one.name == fact.name; });
-  if (!isGiven && fact.real != 0.0)
-  {
-    add(std::move(fact));
-  }
+  return std::any_of(facts_.begin(), facts_.begin() + std::ptrdiff_t(first),
+    [name](const Fact& one) { return one.name == name; });
 }
 
 Reason reasonOf(Status status, bool isRefused)
@@ -313,15 +309,16 @@ void addBounds(const SourceBounds& bounds, Facts& facts)
 Facts factsOf(const RunReport& report, Facts known)
 {
   const std::size_t given = known.count();
+  known.reserve(given + std::size(kCountRows)); // mostly enough for those derived from them, too
   for (const auto& row : kCountRows)
   {
     if (!row.isOfResult || report.status == Status::Ok)
     {
-      known.addMissing({ row.name, row.get(report) }, given);
+      known.addNonzero(row.name, row.get(report), given);
     }
   }
   // where there are too many crossings, points are those with them
-  known.addMissing({ "own_points", report.points - report.crossings }, given);
+  known.addNonzero("own_points", report.points - report.crossings, given);
   const char* const polygonFaults[] = { "", "has a coordinate that is not a finite number",
     "has no area", "is not convex" }; // in the order of PolygonFault
   if (report.status == Status::BadPolygon)
@@ -335,9 +332,9 @@ Facts factsOf(const RunReport& report, Facts known)
     known.add({ "conflict", 1 });
     known.add({ conflicts[std::size_t(report.conflict)], 1 });
   }
-  known.addMissing({ "memory_limit", report.isLimited }, given);
-  known.addMissing({ "trimmed_area", report.counts.trimmedArea }, given);
-  known.addMissing({ "largest_error", report.largestError }, given);
+  known.addNonzero("memory_limit", report.isLimited, given);
+  known.addNonzero("trimmed_area", report.counts.trimmedArea, given);
+  known.addNonzero("largest_error", report.largestError, given);
   const SourceBounds& bounds = report.sourceBounds;
   if (bounds.source.low[0] <= bounds.source.high[0])
   {
@@ -351,7 +348,7 @@ Facts factsOf(const SampleReport& report, Facts known)
   const std::size_t given = known.count();
   for (const SampleRow& row : kSampleRows)
   {
-    known.addMissing({ row.name, row.get(report) }, given);
+    known.addNonzero(row.name, row.get(report), given);
   }
   return known;
 }

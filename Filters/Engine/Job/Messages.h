@@ -54,7 +54,15 @@ public:
   }
   void add(Fact fact) { facts_.push_back(std::move(fact)); }
   /// A number, unless it is 0, or there is one of this name among the first `given`.
-  void addMissing(Fact fact, std::size_t given);
+  template <typename Number>
+  void addNonzero(std::string_view name, Number number, std::size_t given = 0)
+  {
+    if (number != Number() && !isAmong(name, given))
+    {
+      add({ name, number });
+    }
+  }
+  void reserve(std::size_t count) { facts_.reserve(count); }
   std::size_t count() const { return facts_.size(); }
 
   /// The first of this name.
@@ -63,6 +71,8 @@ public:
   std::vector<Fact> all(std::string_view name) const;
 
 private:
+  bool isAmong(std::string_view name, std::size_t first) const;
+
   std::vector<Fact> facts_;
 };
 

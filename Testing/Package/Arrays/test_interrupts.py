@@ -59,6 +59,27 @@ job.run()
 print(job.count("inserted"))
 """
 
+FEW_POINTS = """
+import signal, threading
+import numpy
+from adaptivehilbertdelaunay import _library as library, delaunay
+
+def interrupt():
+    while not library._at_work:
+        pass
+    signal.raise_signal(signal.SIGINT)
+
+numbers = numpy.random.default_rng(1)
+threading.Thread(target=interrupt, daemon=True).start()
+try:
+    segments = numbers.integers(0, library.FEW // 2, (library.FEW, 2)) * 2 + [0, 1]
+    for each in range(100):
+        delaunay(numbers.random((library.FEW, 2)), segments=segments, crossings="split")
+    print("went on")
+except KeyboardInterrupt:
+    print("KeyboardInterrupt")
+"""
+
 
 class InterruptTest(unittest.TestCase):
     def test_control_c(self):
@@ -177,13 +198,20 @@ class InterruptTest(unittest.TestCase):
             after(job, tried)
 
     def test_wherever_it_comes(self):
-        """The next run is unaffected."""
-        def run_again(job, tried):
-            job.run()
-            self.assertEqual(job.count("inserted"), 6, tried)
+        """The next run is unaffected: of few points, which is not interrupted, and of more."""
+        for points, least in ((SQUARE, 5), (cloud(51, library.FEW + 1), 25)):
+            def run_again(job, tried, points=points):
+                job.run()
+                self.assertEqual(job.count("inserted"), len(points), tried)
 
-        tried = self.press_everywhere(lambda job: job.set_array("points", SQUARE), lambda job: job.run(), run_again)
-        self.assertGreater(tried, 25)
+            tried = self.press_everywhere(
+                lambda job, points=points: job.set_array("points", points), lambda job: job.run(), run_again)
+            self.assertGreater(tried, least)
+
+    def test_few_points_whose_work_is_long(self):
+        """Because of their constraints: it is cancelled."""
+        done = in_a_process(FEW_POINTS)
+        self.assertEqual((done.stdout, done.stderr), ("KeyboardInterrupt\n", ""))
 
     def test_wherever_it_comes_while_values_are_found(self):
         """The next values are those of their own method."""
