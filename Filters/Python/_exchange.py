@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import importlib
 import os
-from typing import TYPE_CHECKING, Any, Callable, Sequence, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Sequence, Tuple
 
 import numpy as np
 
@@ -14,7 +14,6 @@ if TYPE_CHECKING:
 
 Places = Tuple[Tuple[float, float], Tuple[float, float]]  # origin and spacing
 
-_OPTIONS = {"COMPRESS": "DEFLATE", "TILED": "YES", "BIGTIFF": "IF_SAFER"}
 _ROWS = 256  # that are turned and written at a time
 
 
@@ -100,20 +99,41 @@ def to_geotiff(raster: Raster, path: Any, values: Any, crs: Any) -> None:
         x, dx, bands = float(raster.x[-1]), -dx, bands[:, ::-1]
     if dy > 0:
         y, dy, bands = float(raster.y[-1]), -dy, bands[::-1]
-    crs = crs.to_wkt() if hasattr(crs, "to_wkt") else crs
+    package = writer()
+    if package is None:
+        raise ImportError("to_geotiff() needs rasterio or GDAL, and Python finds neither: pip install rasterio")
+    write = _by_rasterio if package.__name__ == "rasterio" else _by_gdal
     place = (x - dx / 2, dx, 0.0, y - dy / 2, 0.0, dy)
-    for write, package in ((_by_rasterio, "rasterio"), (_by_gdal, "osgeo.gdal")):
+    write(package, os.fspath(path), bands, place, system_of(package, crs))
+
+
+def writer() -> Any:
+    """What writes GeoTIFFs: rasterio, or osgeo.gdal; None where Python finds neither."""
+    for name in ("rasterio", "osgeo.gdal"):
         try:
-            module = importlib.import_module(package)
+            return importlib.import_module(name)
         except ImportError:
             continue
-        write(module, os.fspath(path), bands, place, crs)
-        return
-    raise ImportError("to_geotiff() needs rasterio or GDAL, and Python finds neither: pip install rasterio")
+    return None
+
+
+def system_of(package: Any, crs: Any) -> Any:
+    """The coordinate reference system as writer() has it; None if none is given. ValueError if it is none."""
+    crs = crs.to_wkt() if hasattr(crs, "to_wkt") else crs
+    read = package.crs.CRS.from_user_input if package.__name__ == "rasterio" else _wkt_by_gdal
+    try:
+        return None if crs is None else read(crs)
+    except (ValueError, TypeError, RuntimeError) as error:
+        raise ValueError("crs: %r is not known: %s" % (crs, error)) from error
 
 
 def _dtype_of(bands: np.ndarray, known: Sequence[str]) -> Any:
     return np.dtype(bands.dtype.name if bands.dtype.name in known else np.float64)
+
+
+def _options(dtype: Any) -> Dict[str, str]:
+    predictor = "3" if dtype.kind == "f" else "2"  # of numbers from those beside them
+    return {"COMPRESS": "DEFLATE", "PREDICTOR": predictor, "TILED": "YES", "BIGTIFF": "IF_SAFER"}
 
 
 def _pieces(bands: np.ndarray, dtype: Any) -> Any:
@@ -126,11 +146,10 @@ def _pieces(bands: np.ndarray, dtype: Any) -> Any:
 def _by_rasterio(rasterio: Any, path: str, bands: np.ndarray, place: Sequence[float], crs: Any) -> None:
     dtype = _dtype_of(bands, ("uint8", "uint16", "int16", "uint32", "int32", "float32", "float64"))
     nodata = float("nan") if dtype.kind == "f" else None
-    crs = _known(crs, rasterio.crs.CRS.from_user_input)
     rows, columns, count = bands.shape
     with rasterio.open(
         path, "w", driver="GTiff", width=columns, height=rows, count=count, dtype=dtype.name, nodata=nodata, crs=crs,
-        transform=rasterio.Affine.from_gdal(*place), **{name.lower(): value for name, value in _OPTIONS.items()}
+        transform=rasterio.Affine.from_gdal(*place), **{name.lower(): value for name, value in _options(dtype).items()}
     ) as made:  # fmt: skip
         for row, band, piece in _pieces(bands, dtype):
             made.write(piece, band, window=((row, row + len(piece)), (0, columns)))
@@ -142,13 +161,12 @@ def _by_gdal(gdal: Any, path: str, bands: np.ndarray, place: Sequence[float], cr
     dtype = _dtype_of(bands, tuple(types))
     gdal.UseExceptions()
     rows, columns, count = bands.shape
-    wkt = _known(crs, _wkt_by_gdal)
     try:
         made = gdal.GetDriverByName("GTiff").Create(
-            path, columns, rows, count, types[dtype.name], ["%s=%s" % option for option in _OPTIONS.items()])
+            path, columns, rows, count, types[dtype.name], ["%s=%s" % option for option in _options(dtype).items()])
         made.SetGeoTransform(place)
-        if wkt is not None:
-            made.SetProjection(wkt)
+        if crs is not None:
+            made.SetProjection(crs)
         for band in range(count) if dtype.kind == "f" else ():
             made.GetRasterBand(band + 1).SetNoDataValue(float("nan"))
         for row, band, piece in _pieces(bands, dtype):  # as bytes: GDAL's arrays need the NumPy it was built with
@@ -164,11 +182,3 @@ def _wkt_by_gdal(crs: Any) -> str:
     system = osr.SpatialReference()
     system.SetFromUserInput("EPSG:%d" % crs if isinstance(crs, int) else crs)
     return str(system.ExportToWkt())
-
-
-def _known(crs: Any, read: Callable[[Any], Any]) -> Any:
-    """A coordinate reference system, if one is given. ValueError if it is none."""
-    try:
-        return None if crs is None else read(crs)
-    except (ValueError, TypeError, RuntimeError) as error:
-        raise ValueError("crs: %r is not known: %s" % (crs, error)) from error

@@ -105,9 +105,7 @@ def run(surface, chosen, paths):
     if not geotiff.writer():
         print("         no GeoTIFF: %s" % geotiff.HOW)
         return paths[:1]
-    spacing, origin = image.GetSpacing(), image.GetOrigin()
-    corner = [origin[axis] - 0.5 * spacing[axis] for axis in range(2)]
-    geotiff.write(paths[1], heights, corner, spacing[:2], chosen.crs)
+    geotiff.write(paths[1], heights, image.GetOrigin()[:2], image.GetSpacing()[:2], chosen.crs)
     told = chosen.crs or "without a coordinate reference system; --crs EPSG:CODE gives it one"
     print("         %s (%s)" % (paths[1], told))
     return paths
