@@ -33,6 +33,10 @@ CPU time, on a machine with a load of {load:.1f} on {cores} cores. Millions of p
 the least and the most. *Evaluation*: triangulations, trees and finders are ready. *Whole*: from points in memory to the
 raster; of GMT the whole program, its files in memory.
 
+A call has many places, sorted along a curve and found by a walk from the last. Each call begins at the same triangle,
+so that a single place takes the engine 1 µs among 1,000 points and about 200 among 10^6, cold; from Python 14 µs more:
+[small calls](SmallCalls.md).
+
 | what | here | the other | times as fast | largest difference |
 |---|--:|--:|--:|--:|
 """
