@@ -131,8 +131,6 @@ public:
   Triangulation& triangulation() { return made_; }
   const Triangulation& triangulation() const { return made_; }
   const std::vector<BorderPoint>& given() const { return given_; }
-  /// Is a triangle dropped by loops?
-  bool isAnyDropped() const { return isAnyDropped_; }
 
 private:
   enum : std::uint8_t

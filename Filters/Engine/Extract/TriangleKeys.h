@@ -59,14 +59,6 @@ public:
   std::size_t blocks() const { return (ghostNumber_ >> blockBits_) + 1; }
   std::size_t blockSize() const { return std::size_t(1) << blockBits_; }
 
-  /// The block of the triangle's lowest corner.
-  std::size_t blockOf(const std::uint32_t* corners) const
-  {
-    const std::uint32_t lowest = std::min(
-      { corners[0] - ghost_, corners[1] - ghost_, corners[2] - ghost_ });
-    return (lowest + ghostNumber_) >> blockBits_;
-  }
-
   /// Block and key of a triangle. @pre kThird == third(); its slot, if that is included.
   template <Third kThird>
   std::pair<std::size_t, Key> blockAndKey(const std::uint32_t* corners, std::size_t slot) const

@@ -22,12 +22,6 @@ namespace
 
 using Made = JobResult;
 
-constexpr unsigned bitOf(std::int32_t type)
-{
-  return 1u << type;
-}
-constexpr unsigned kId = bitOf(kInt32) | bitOf(kInt64);
-constexpr unsigned kReal = bitOf(kFloat32) | bitOf(kFloat64);
 constexpr unsigned kDouble = bitOf(kFloat64);
 
 // --- Writing ---
@@ -230,7 +224,7 @@ constexpr Need kMatrix = { "another \"plane\" before the run",
 constexpr Need kWeights = { "ahd_sample_weights()",
   [](const Made& m) { return m.sampling.hasWeights; } };
 
-struct Row
+struct OutputRow
 {
   const char* name;
   unsigned types;
@@ -258,16 +252,16 @@ std::size_t placeCount(const Made& m)
   return m.points.surfacePlaces().size();
 }
 
-constexpr Row kRows[] = {
-  { "triangles", kId, 3, [](const Made& m) { return m.triangleCount(); },
+constexpr OutputRow kOutputRows[] = {
+  { "triangles", kIntegerTypes, 3, [](const Made& m) { return m.triangleCount(); },
     [](Made& m, const Target& to)
     { return withIds(to, [&](auto* ids) { return m.writeTriangles(ids, to.context); }); },
     kWritingCells },
-  { "lines", kId, 2, [](const Made& m) { return m.selection.lines.size() / 2; },
+  { "lines", kIntegerTypes, 2, [](const Made& m) { return m.selection.lines.size() / 2; },
     [](Made& m, const Target& to) { return copyIds(to, m.selection.lines); }, kWritingCells },
-  { "vertices", kId, 1, [](const Made& m) { return m.selection.vertices.size(); },
+  { "vertices", kIntegerTypes, 1, [](const Made& m) { return m.selection.vertices.size(); },
     [](Made& m, const Target& to) { return copyIds(to, m.selection.vertices); }, kWritingCells },
-  { "points", kReal, 3, pointCount, writePoints, kWritingCells },
+  { "points", kRealTypes, 3, pointCount, writePoints, kWritingCells },
   { "plane_points", kDouble, 3, pointCount, writePlanePoints, kWritingCells },
   { "heights", kDouble, 1, pointCount,
     [](Made& m, const Target& to) {
@@ -276,8 +270,9 @@ constexpr Row kRows[] = {
     kWritingCells },
   { "plane_matrix", kDouble, 4, [](const Made&) { return std::size_t(4); }, writePlaneMatrix,
     kWritingCells, kMatrix },
-  { "vertex_of_point", kId, 1, pointCount, writeVertexOfPoint, kWritingArrays },
-  { "point_of_vertex", kId, 1, [](const Made& m) { return m.triangulation.vertexCount(); },
+  { "vertex_of_point", kIntegerTypes, 1, pointCount, writeVertexOfPoint, kWritingArrays },
+  { "point_of_vertex", kIntegerTypes, 1,
+    [](const Made& m) { return m.triangulation.vertexCount(); },
     [](Made& m, const Target& to)
     {
       return fillIds(
@@ -286,7 +281,7 @@ constexpr Row kRows[] = {
     kWritingArrays },
   { "vertex_bounds", kDouble, 2, [](const Made&) { return std::size_t(2); }, writeVertexBounds,
     kWritingArrays },
-  { "order", kId, 1, [](const Made& m) { return m.triangulation.report().inserted; },
+  { "order", kIntegerTypes, 1, [](const Made& m) { return m.triangulation.report().inserted; },
     [](Made& m, const Target& to)
     { return withIds(to, [&](auto* ids) { return m.triangulation.writeOrder(ids, to.context); }); },
     kWritingArrays, kOrder },
@@ -298,7 +293,7 @@ constexpr Row kRows[] = {
     [](Made& m, const Target& to)
     { return fillIds(to, [&m](std::size_t i) { return m.triangulation.boxes()[i].level; }); },
     kWritingArrays, kBoxes },
-  { "box_counts", kId, 1, boxCount,
+  { "box_counts", kIntegerTypes, 1, boxCount,
     [](Made& m, const Target& to)
     { return fillIds(to, [&m](std::size_t i) { return m.triangulation.boxes()[i].count; }); },
     kWritingArrays, kBoxes },
@@ -310,20 +305,20 @@ constexpr Row kRows[] = {
         { return i % 2 == 0 ? m.voronoi.points[i / 2].x : m.voronoi.points[i / 2].y; });
     },
     kWritingVoronoi, kCells },
-  { "voronoi_offsets", kId, 1, [](const Made& m) { return m.voronoi.sites.size() + 1; },
+  { "voronoi_offsets", kIntegerTypes, 1, [](const Made& m) { return m.voronoi.sites.size() + 1; },
     [](Made& m, const Target& to)
     {
       return fillIds(
         to, [&m](std::size_t i) { return m.voronoi.offsets.empty() ? 0 : m.voronoi.offsets[i]; });
     },
     kWritingVoronoi, kCells },
-  { "voronoi_corners", kId, 1, [](const Made& m) { return m.voronoi.corners.size(); },
+  { "voronoi_corners", kIntegerTypes, 1, [](const Made& m) { return m.voronoi.corners.size(); },
     [](Made& m, const Target& to) { return copyIds(to, m.voronoi.corners); }, kWritingVoronoi,
     kCells },
-  { "voronoi_sites", kId, 1, [](const Made& m) { return m.voronoi.sites.size(); },
+  { "voronoi_sites", kIntegerTypes, 1, [](const Made& m) { return m.voronoi.sites.size(); },
     [](Made& m, const Target& to) { return copyIds(to, m.voronoi.sites); }, kWritingVoronoi,
     kCells },
-  { "merged", kId, 2, [](const Made& m) { return m.points.merged().size(); },
+  { "merged", kIntegerTypes, 2, [](const Made& m) { return m.points.merged().size(); },
     [](Made& m, const Target& to)
     {
       return fillIds(to,
@@ -331,7 +326,7 @@ constexpr Row kRows[] = {
         { return i % 2 == 0 ? m.points.merged()[i / 2].id : m.points.merged()[i / 2].keptId; });
     },
     kWritingArrays },
-  { "surface_corners", kId, 3, placeCount,
+  { "surface_corners", kIntegerTypes, 3, placeCount,
     [](Made& m, const Target& to)
     {
       return fillIds(
@@ -345,7 +340,7 @@ constexpr Row kRows[] = {
         to, [&m](std::size_t i) { return m.points.surfacePlaces()[i / 3].weights[i % 3]; });
     },
     kWritingArrays },
-  { "crossing_ends", kId, 4, crossingCount,
+  { "crossing_ends", kIntegerTypes, 4, crossingCount,
     [](Made& m, const Target& to) {
       return fillIds(to, [&m](std::size_t i) { return m.points.crossings()[i / 4].ends[i % 4]; });
     },
@@ -357,11 +352,12 @@ constexpr Row kRows[] = {
         to, [&m](std::size_t i) { return m.points.crossings()[i / 2].along[i % 2]; });
     },
     kWritingArrays },
-  { "crossing_cells", kId, 2, [](const Made& m) { return m.crossingRows(); },
+  { "crossing_cells", kIntegerTypes, 2, [](const Made& m) { return m.crossingRows(); },
     [](Made& m, const Target& to)
     { return fillIds(to, [&m](std::size_t i) { return m.crossingRow(i / 2)[i % 2]; }); },
     kWritingArrays },
-  { "left_out", kId, 4, [](const Made& m) { return m.triangulation.constraints().leftOut.size(); },
+  { "left_out", kIntegerTypes, 4,
+    [](const Made& m) { return m.triangulation.constraints().leftOut.size(); },
     [](Made& m, const Target& to)
     { return fillIds(to, [&m](std::size_t i) { return leftOutNumber(m, i); }); },
     kWritingArrays },
@@ -369,7 +365,8 @@ constexpr Row kRows[] = {
     [](const Made& m) { return m.sampling.weights.offsets.size(); },
     [](Made& m, const Target& to) { return copyIds(to, m.sampling.weights.offsets); },
     kWritingArrays, kWeights },
-  { "weight_points", kId, 1, [](const Made& m) { return m.sampling.weights.points.size(); },
+  { "weight_points", kIntegerTypes, 1,
+    [](const Made& m) { return m.sampling.weights.points.size(); },
     [](Made& m, const Target& to) { return copyIds(to, m.sampling.weights.points); },
     kWritingArrays, kWeights },
   { "weights", kDouble, 1, [](const Made& m) { return m.sampling.weights.weights.size(); },
@@ -379,18 +376,18 @@ constexpr Row kRows[] = {
 };
 
 template <std::size_t number>
-constexpr Row wantedRow()
+constexpr OutputRow wantedRow()
 {
   constexpr WantedArray kArray = WantedArray(number);
   constexpr const WantedRow& kRow = kWantedRows[number];
-  return { kRow.name, kRow.type == kInt64 ? kId : bitOf(kRow.type), kRow.columns,
+  return { kRow.name, kRow.type == kInt64 ? kIntegerTypes : bitOf(kRow.type), kRow.columns,
     [](const Made& m) { return rowsOf(kArray, m); },
     [](Made& m, const Target& to) { return ahd::writeArray(kArray, m, to); }, kWritingArrays,
     needsOrder(kArray) ? kOrder : kNothing };
 }
 
 template <std::size_t... numbers>
-constexpr std::array<Row, kWantedArrays> wantedRows(std::index_sequence<numbers...>)
+constexpr std::array<OutputRow, kWantedArrays> wantedRows(std::index_sequence<numbers...>)
 {
   return { { wantedRow<numbers>()... } };
 }
@@ -398,17 +395,17 @@ constexpr std::array<Row, kWantedArrays> wantedRows(std::index_sequence<numbers.
 constexpr auto kRowsOfWanted = wantedRows(std::make_index_sequence<kWantedArrays>());
 
 /// Null after the last.
-const Row* rowAt(std::size_t number)
+const OutputRow* rowAt(std::size_t number)
 {
-  const std::size_t others = std::size(kRows);
-  return number < others              ? &kRows[number]
+  const std::size_t others = std::size(kOutputRows);
+  return number < others              ? &kOutputRows[number]
     : number - others < kWantedArrays ? &kRowsOfWanted[number - others]
                                       : nullptr;
 }
 
-const Row& rowOf(Job& job, const char* name)
+const OutputRow& rowOf(Job& job, const char* name)
 {
-  const Row* row = nullptr;
+  const OutputRow* row = nullptr;
   for (std::size_t i = 0; (row = rowAt(i)) && !(name && std::strcmp(row->name, name) == 0); ++i)
   {
   }
@@ -434,17 +431,17 @@ ArrayShape shapeOf(Job& job, const char* name)
   {
     return { list->size(), 1 };
   }
-  const Row& row = rowOf(job, name);
+  const OutputRow& row = rowOf(job, name);
   return { row.rows(job.result()), row.columns };
 }
 
 void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::uint64_t capacity)
 {
   const std::vector<Index>* const list = outlineList(job, name);
-  const Row* const row = list ? nullptr : &rowOf(job, name);
+  const OutputRow* const row = list ? nullptr : &rowOf(job, name);
   const std::size_t numbers = list ? list->size() : row->rows(job.result()) * row->columns;
-  const unsigned types = list ? kId : row->types;
-  if (type < kFloat32 || type > kUint8 || (bitOf(type) & types) == 0)
+  const unsigned types = list ? kIntegerTypes : row->types;
+  if ((bitOf(type) & types) == 0)
   {
     refuse(Reason::BadArray,
       "\"" + std::string(name) + "\" cannot be written as type " + std::to_string(type) + ".");
@@ -475,8 +472,8 @@ void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::u
 
 const char* outputArrayName(std::size_t number)
 {
-  const Row* const row = rowAt(number);
-  return row ? row->name : outlineArrayName(number - std::size(kRows) - kWantedArrays);
+  const OutputRow* const row = rowAt(number);
+  return row ? row->name : outlineArrayName(number - std::size(kOutputRows) - kWantedArrays);
 }
 
 } // namespace ahd

@@ -13,16 +13,9 @@ namespace ahd
 namespace
 {
 
-constexpr unsigned bitOf(std::int32_t type)
-{
-  return type >= kFloat32 && type <= kUint8 ? 1u << type : 0u;
-}
-
-constexpr unsigned kReal = bitOf(kFloat32) | bitOf(kFloat64);
-constexpr unsigned kInteger = bitOf(kInt32) | bitOf(kInt64);
 constexpr std::int32_t kManyColumns = std::numeric_limits<std::int32_t>::max();
 
-struct Row
+struct InputRow
 {
   const char* name;
   unsigned types;
@@ -31,27 +24,27 @@ struct Row
 };
 
 // in the order of InputArray
-constexpr Row kRows[] = {
-  { "points", kReal, 2, 3, "AHD_FLOAT32 or AHD_FLOAT64, of 2 or 3 columns" },
+constexpr InputRow kInputRows[] = {
+  { "points", kRealTypes, 2, 3, "AHD_FLOAT32 or AHD_FLOAT64, of 2 or 3 columns" },
   { "skip", bitOf(kUint8), 1, 1, "AHD_UINT8, of one column" },
-  { "source_points", kReal, 2, 3, "AHD_FLOAT32 or AHD_FLOAT64, of 2 or 3 columns" },
-  { "line_ids", kInteger, 1, kManyColumns, "AHD_INT32 or AHD_INT64" },
-  { "loop_ids", kInteger, 1, kManyColumns, "AHD_INT32 or AHD_INT64" },
-  { "line_offsets", kInteger, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
-  { "loop_offsets", kInteger, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
+  { "source_points", kRealTypes, 2, 3, "AHD_FLOAT32 or AHD_FLOAT64, of 2 or 3 columns" },
+  { "line_ids", kIntegerTypes, 1, kManyColumns, "AHD_INT32 or AHD_INT64" },
+  { "loop_ids", kIntegerTypes, 1, kManyColumns, "AHD_INT32 or AHD_INT64" },
+  { "line_offsets", kIntegerTypes, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
+  { "loop_offsets", kIntegerTypes, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
   { "matrix", bitOf(kFloat64), 4, 4, "AHD_FLOAT64, of 4 rows and columns" },
   { "voronoi_polygon", bitOf(kFloat64), 2, 2, "AHD_FLOAT64, of 2 columns" },
-  { "surface", kInteger, 3, 3, "AHD_INT32 or AHD_INT64, of 3 columns" },
+  { "surface", kIntegerTypes, 3, 3, "AHD_INT32 or AHD_INT64, of 3 columns" },
   { "surface_edges", bitOf(kUint8), 1, 1, "AHD_UINT8, of one column" },
-  { "cells", kInteger, 1, kManyColumns, "AHD_INT32 or AHD_INT64" },
-  { "cell_offsets", kInteger, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
+  { "cells", kIntegerTypes, 1, kManyColumns, "AHD_INT32 or AHD_INT64" },
+  { "cell_offsets", kIntegerTypes, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
   { "cell_groups", bitOf(kFloat64), 1, 1, "AHD_FLOAT64, of one column" },
 };
-static_assert(sizeof(kRows) / sizeof(kRows[0]) == kInputArrays, "a row for each");
+static_assert(sizeof(kInputRows) / sizeof(kInputRows[0]) == kInputArrays, "a row for each");
 
 std::string quoted(InputArray array)
 {
-  return "\"" + std::string(kRows[std::size_t(array)].name) + "\"";
+  return "\"" + std::string(kInputRows[std::size_t(array)].name) + "\"";
 }
 
 /// Would the distance of its first number from its last be no number of bytes?
@@ -65,7 +58,7 @@ bool isTooLarge(const GivenArray& array)
 }
 
 /// Its error; empty if there is none.
-std::string faultOf(const Row& row, const GivenArray& array)
+std::string faultOf(const InputRow& row, const GivenArray& array)
 {
   if ((bitOf(array.type) & row.types) == 0 || array.columns < row.leastColumns ||
     array.columns > row.mostColumns)
@@ -99,9 +92,9 @@ double realAt(const GivenArray& array, std::size_t row, std::size_t column)
 
 void InputArrays::set(const char* name, const GivenArray* array)
 {
-  const Row* const row = std::find_if(std::begin(kRows), std::end(kRows),
-    [name](const Row& r) { return name && std::strcmp(r.name, name) == 0; });
-  if (row == std::end(kRows))
+  const InputRow* const row = std::find_if(std::begin(kInputRows), std::end(kInputRows),
+    [name](const InputRow& r) { return name && std::strcmp(r.name, name) == 0; });
+  if (row == std::end(kInputRows))
   {
     refuse(Reason::UnknownName,
       "There is no input array \"" + std::string(name ? name : "(null)") + "\".");
@@ -111,12 +104,12 @@ void InputArrays::set(const char* name, const GivenArray* array)
   {
     refuse(Reason::BadArray, "\"" + std::string(name) + "\" " + fault);
   }
-  arrays_[std::size_t(row - kRows)] = array ? *array : GivenArray();
+  arrays_[std::size_t(row - kInputRows)] = array ? *array : GivenArray();
 }
 
 const char* InputArrays::name(std::size_t number)
 {
-  return number < kInputArrays ? kRows[number].name : nullptr;
+  return number < kInputArrays ? kInputRows[number].name : nullptr;
 }
 
 void InputArrays::count(InputRequest& request) const

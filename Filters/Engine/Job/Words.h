@@ -34,6 +34,13 @@ enum NumberType : std::int32_t
   kInt64,
   kUint8
 };
+/// A set of them, one bit each; none for a number that is no type.
+constexpr unsigned bitOf(std::int32_t type)
+{
+  return type >= kFloat32 && type <= kUint8 ? 1u << type : 0u;
+}
+constexpr unsigned kRealTypes = bitOf(kFloat32) | bitOf(kFloat64);
+constexpr unsigned kIntegerTypes = bitOf(kInt32) | bitOf(kInt64);
 
 enum class Duplicates
 {

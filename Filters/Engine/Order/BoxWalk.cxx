@@ -71,7 +71,7 @@ bool isAlongKeysInside(const Options& options)
 } // namespace
 
 bool Divider::divide(
-  const WalkPoints& points, const Box& box, unsigned levels, std::vector<Box>& boxes) const
+  const WalkPoints& points, const WalkBox& box, unsigned levels, std::vector<WalkBox>& boxes) const
 {
   const unsigned bits = box.bits - 2 * levels;
   boxes.clear();
@@ -89,7 +89,7 @@ bool Divider::divide(
 }
 
 /// From the order of the keys to that of the options.
-bool Divider::reorder(const WalkPoints& points, unsigned levels, std::vector<Box>& boxes) const
+bool Divider::reorder(const WalkPoints& points, unsigned levels, std::vector<WalkBox>& boxes) const
 {
   Buffer<std::uint64_t> visits;
   visits.allocate(boxes.size());
@@ -98,7 +98,7 @@ bool Divider::reorder(const WalkPoints& points, unsigned levels, std::vector<Box
     {
       for (std::size_t i = a; i < b; ++i)
       {
-        const Box& box = boxes[i];
+        const WalkBox& box = boxes[i];
         const std::uint32_t visit = visitOf(points.key[box.begin], box.bits, levels, options_);
         visits[i] = packed(visit, static_cast<std::uint32_t>(i));
       }
@@ -107,7 +107,7 @@ bool Divider::reorder(const WalkPoints& points, unsigned levels, std::vector<Box
   {
     return false;
   }
-  const std::vector<Box> unsorted(boxes);
+  const std::vector<WalkBox> unsorted(boxes);
   return inChunks(0, boxes.size(), ticker_,
     [&](std::size_t a, std::size_t b)
     {
@@ -129,7 +129,7 @@ bool BoxWalk::walk(const WalkPoints& points, unsigned levels, Index* to)
 {
   points_ = points;
   to_ = to;
-  const Box whole{ 0, points.count, 64 };
+  const WalkBox whole{ 0, points.count, 64 };
   if (points.count == 0)
   {
     return true;
@@ -141,27 +141,27 @@ bool BoxWalk::walk(const WalkPoints& points, unsigned levels, Index* to)
   return isAlongKeys(options_) ? walkAlongKeys(whole, levels) : walkReordered(whole, levels);
 }
 
-bool BoxWalk::isDivided(const Box& box) const
+bool BoxWalk::isDivided(const WalkBox& box) const
 {
   return isDividedAgain(box.end - box.begin, options_);
 }
 
 /// One division in work per depth, at most one for every two bits of the keys: no box is stored.
-bool BoxWalk::walkAlongKeys(const Box& whole, unsigned levels)
+bool BoxWalk::walkAlongKeys(const WalkBox& whole, unsigned levels)
 {
-  std::array<Box, 33> open; // begin: the part that is still to be walked
+  std::array<WalkBox, 33> open; // begin: the part that is still to be walked
   std::size_t depth = 0;
   open[depth++] = { whole.begin, whole.end, whole.bits - 2 * levels };
   while (depth > 0)
   {
-    Box& rest = open[depth - 1];
+    WalkBox& rest = open[depth - 1];
     if (rest.begin == rest.end)
     {
       --depth;
       continue;
     }
     const std::size_t end = endOfBox(points_.key, rest.begin, rest.end, rest.bits);
-    const Box box{ rest.begin, end, rest.bits };
+    const WalkBox box{ rest.begin, end, rest.bits };
     rest.begin = end;
     const unsigned r = levelsOfDivision(end - box.begin);
     if (isDivided(box) && 2 * r <= box.bits)
@@ -176,10 +176,10 @@ bool BoxWalk::walkAlongKeys(const Box& whole, unsigned levels)
   return true;
 }
 
-bool BoxWalk::walkReordered(const Box& whole, unsigned levels)
+bool BoxWalk::walkReordered(const WalkBox& whole, unsigned levels)
 {
-  std::vector<Box> waiting;
-  std::vector<Box> boxes;
+  std::vector<WalkBox> waiting;
+  std::vector<WalkBox> boxes;
   const Divider divider(options_, ticker_);
   if (!divider.divide(points_, whole, levels, boxes))
   {
@@ -188,7 +188,7 @@ bool BoxWalk::walkReordered(const Box& whole, unsigned levels)
   waiting.assign(boxes.rbegin(), boxes.rend());
   while (!waiting.empty())
   {
-    const Box box = waiting.back();
+    const WalkBox box = waiting.back();
     waiting.pop_back();
     const unsigned r = levelsOfDivision(box.end - box.begin);
     if (isDivided(box) && 2 * r <= box.bits)
@@ -207,7 +207,7 @@ bool BoxWalk::walkReordered(const Box& whole, unsigned levels)
   return true;
 }
 
-bool BoxWalk::leaveByRank(const Box& box)
+bool BoxWalk::leaveByRank(const WalkBox& box)
 {
   return inChunks(box.begin, box.end, ticker_,
     [&](std::size_t a, std::size_t b)
@@ -220,7 +220,7 @@ bool BoxWalk::leaveByRank(const Box& box)
     });
 }
 
-bool BoxWalk::leave(const Box& box)
+bool BoxWalk::leave(const WalkBox& box)
 {
   if (isAlongKeysInside(options_))
   {
@@ -230,7 +230,7 @@ bool BoxWalk::leave(const Box& box)
 }
 
 /// Each point's place among the few is the number of smaller ids: no branch to guess wrong.
-bool BoxWalk::leaveFewById(const Box& box)
+bool BoxWalk::leaveFewById(const WalkBox& box)
 {
   const std::size_t n = box.end - box.begin;
   static_assert(kMaximumPoints < std::size_t(std::numeric_limits<std::int32_t>::max()),
@@ -256,7 +256,7 @@ bool BoxWalk::leaveFewById(const Box& box)
   return ticker_.step(n);
 }
 
-bool BoxWalk::leaveManyById(const Box& box)
+bool BoxWalk::leaveManyById(const WalkBox& box)
 {
   const std::size_t n = box.end - box.begin;
   Buffer<std::uint64_t> items;

@@ -23,7 +23,7 @@ struct WalkPoints
 };
 
 /// Points that share a box; the box comprises all keys that agree with theirs above `bits` bits.
-struct Box
+struct WalkBox
 {
   std::size_t begin, end;
   unsigned bits;
@@ -41,11 +41,11 @@ public:
 
   /// The boxes of one division that are not empty, in the order in which `options` visit them.
   /// Returns false if cancelled. @pre 2 * levels <= box.bits.
-  bool divide(
-    const WalkPoints& points, const Box& box, unsigned levels, std::vector<Box>& boxes) const;
+  bool divide(const WalkPoints& points, const WalkBox& box, unsigned levels,
+    std::vector<WalkBox>& boxes) const;
 
 private:
-  bool reorder(const WalkPoints& points, unsigned levels, std::vector<Box>& boxes) const;
+  bool reorder(const WalkPoints& points, unsigned levels, std::vector<WalkBox>& boxes) const;
 
   const Options& options_;
   Ticker& ticker_;
@@ -63,13 +63,13 @@ public:
 private:
   static constexpr std::size_t kFew = 64;
 
-  bool walkAlongKeys(const Box& whole, unsigned levels);
-  bool walkReordered(const Box& whole, unsigned levels);
-  bool isDivided(const Box& box) const;
-  bool leave(const Box& box);
-  bool leaveByRank(const Box& box);
-  bool leaveFewById(const Box& box);
-  bool leaveManyById(const Box& box);
+  bool walkAlongKeys(const WalkBox& whole, unsigned levels);
+  bool walkReordered(const WalkBox& whole, unsigned levels);
+  bool isDivided(const WalkBox& box) const;
+  bool leave(const WalkBox& box);
+  bool leaveByRank(const WalkBox& box);
+  bool leaveFewById(const WalkBox& box);
+  bool leaveManyById(const WalkBox& box);
   Index rankOf(std::size_t i) const { return points_.rank ? points_.rank[i] : Index(i); }
 
   const RankedPoints& ranked_;

@@ -17,8 +17,8 @@ namespace ahd
 namespace
 {
 
-constexpr std::size_t kGroupsPerThread = 8;    // crowded buckets take longer than others
-constexpr std::size_t kFewPoints = 4 * kChunk; // no group for less
+constexpr std::size_t kGroupsPerThread = 8;     // crowded buckets take longer than others
+constexpr std::size_t kFewToGroup = 4 * kChunk; // no group for less
 
 /// How out.scratch is used. The counters of the scatter lie where the duplicates come later.
 struct Layout
@@ -48,7 +48,7 @@ struct Group
 
 std::vector<Group> makeGroups(const Scatter& scatter, std::size_t n, std::size_t threads)
 {
-  const std::size_t wanted = tasksFor(threads, n, kGroupsPerThread, kFewPoints);
+  const std::size_t wanted = tasksFor(threads, n, kGroupsPerThread, kFewToGroup);
   std::vector<Group> groups;
   std::size_t first = 0;
   for (std::size_t g = 0; g < wanted; ++g)

@@ -13,8 +13,8 @@ namespace ahd
 namespace
 {
 
-constexpr std::size_t kTasksPerThread = 4;
-constexpr std::size_t kFewPoints = 4 * kChunk; // no task for less
+constexpr std::size_t kReadersPerThread = 4;
+constexpr std::size_t kFewToRead = 4 * kChunk; // no task for less
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Bounds of the points seen; the signs of zeros are unspecified.
@@ -124,7 +124,8 @@ bool readShare(const PointView& points, const Share& share, Ticker& ticker, Seen
 
 Status readPoints(const PointView& points, Ticker& ticker, RankedPoints& out)
 {
-  const std::size_t tasks = tasksFor(threadsOf(ticker), points.count, kTasksPerThread, kFewPoints);
+  const std::size_t tasks = tasksFor(
+    threadsOf(ticker), points.count, kReadersPerThread, kFewToRead);
   std::vector<Seen> seen(tasks);
   const bool done = inParallel(ticker, tasks,
     [&](std::size_t task, Ticker& own) {

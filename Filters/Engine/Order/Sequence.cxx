@@ -37,10 +37,10 @@ public:
   bool choose(unsigned levels, Index* to)
   {
     const std::size_t n = points_.count;
-    std::vector<Box> boxes;
+    std::vector<WalkBox> boxes;
     isControl_.assign(n, 0);
     const WalkPoints all{ points_.key.data(), nullptr, n };
-    if (!Divider(options_, ticker_).divide(all, Box{ 0, n, 64 }, levels, boxes))
+    if (!Divider(options_, ticker_).divide(all, WalkBox{ 0, n, 64 }, levels, boxes))
     {
       return false;
     }
@@ -61,7 +61,7 @@ public:
   WalkPoints others() const { return { key_.data(), rank_.data(), points_.count - controls_ }; }
 
 private:
-  bool firstOf(const Box& box, std::size_t& first)
+  bool firstOf(const WalkBox& box, std::size_t& first)
   {
     return inChunks(box.begin, box.end, ticker_,
       [&](std::size_t a, std::size_t b)

@@ -11,13 +11,6 @@
 namespace ahd
 {
 
-namespace
-{
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-} // namespace
-
 bool RasterScan::isApplicable(const Bounds& bounds)
 {
   constexpr std::size_t kTrianglesPerCell = 2; // fewer cells are found by walking

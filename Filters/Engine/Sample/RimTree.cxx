@@ -15,7 +15,7 @@ namespace
 {
 
 /// What an edge counts: a distance, which may be an exact one.
-constexpr std::size_t kStepsOfEdge = 8;
+constexpr std::size_t kStepsOfRimEdge = 8;
 
 } // namespace
 
@@ -186,7 +186,7 @@ bool RimTree::forNear(const Box& box, Ticker& ticker, const Look& look) const
       {
         const Segment s = segmentOf(edges_[k]);
         const Box ofEdge = Box::around(s.left, s.right), grown = grownFor(ofEdge, box);
-        if (grown.meets(ofEdge) && (!ticker.step(kStepsOfEdge) || !look(k, s, grown)))
+        if (grown.meets(ofEdge) && (!ticker.step(kStepsOfRimEdge) || !look(k, s, grown)))
         {
           return false;
         }
@@ -283,9 +283,9 @@ bool RimTree::findNearest(
   search.look(hint);
   const auto enter = [&](const Box& box)
   {
-    return !ticker.step(kStepsOfEdge) ? Levels::Way::Stop
-      : search.mayHaveNearer(box)     ? Levels::Way::In
-                                      : Levels::Way::Past;
+    return !ticker.step(kStepsOfRimEdge) ? Levels::Way::Stop
+      : search.mayHaveNearer(box)        ? Levels::Way::In
+                                         : Levels::Way::Past;
   };
   const auto look = [&](std::size_t leaf)
   {
@@ -293,7 +293,7 @@ bool RimTree::findNearest(
     {
       search.look(k);
     }
-    return ticker.step(kStepsOfEdge * kStepsOfEdge);
+    return ticker.step(kStepsOfRimEdge * kStepsOfRimEdge);
   };
   const bool isDone = levels_.visit(enter, look);
   found = search.best();
@@ -329,7 +329,7 @@ bool RimTree::findWall(const Point& from, const Point& to, Ticker& ticker, HalfE
         return false;
       }
     }
-    return ticker.step(kStepsOfEdge);
+    return ticker.step(kStepsOfRimEdge);
   };
   return levels_.visit(enter, look) || wall != kNoHalfEdge;
 }

@@ -5,17 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ahd
 {
-
-namespace
-{
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-} // namespace
 
 bool SampledColumns::build(const TriangulationAccess::State* state, const SampleArray* arrays,
   std::size_t count, std::size_t places, Ticker& ticker)

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <limits>
 
 namespace ahd
 {
@@ -92,7 +91,6 @@ Point exactSlope(const Point& a, const Point& b, const Point& c, const double (&
   using namespace stages;
   if (!std::isfinite(value[0]) || !std::isfinite(value[1]) || !std::isfinite(value[2]))
   {
-    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     return { kNaN, kNaN };
   }
   const Unit unit{ &a, &b, &c };

@@ -6,9 +6,13 @@
 #include "../Triangulation/Tables.h"
 
 #include <cstddef>
+#include <limits>
 
 namespace ahd
 {
+
+/// The value of a place that has none.
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// What the value at a place is made of: values at `count` vertices, times their weights. None for
 /// a place that has no value.

@@ -5,6 +5,7 @@
 #include "../Core/Loops.h"
 #include "Diagram.h"
 
+#include <cstddef>
 #include <deque>
 #include <unordered_map>
 #include <vector>
@@ -20,6 +21,8 @@ constexpr CornerId kNoCorner = 0xFFFFFFFFu;
 /// A stretch of the border, as each border numbers them counterclockwise; or none.
 using Stretch = std::uint32_t;
 constexpr Stretch kNoStretch = 0xFFFFFFFFu;
+
+constexpr std::size_t kNoTriangle = std::size_t(-1); ///< beyond the hull
 
 /// The part of an edge of the diagram inside the border: nothing, or from one corner to
 /// another. The edge between the cells of p and q is followed counterclockwise around

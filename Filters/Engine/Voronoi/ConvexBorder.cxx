@@ -4,11 +4,6 @@
 namespace ahd
 {
 
-namespace
-{
-constexpr std::size_t kNoTriangle = std::size_t(-1);
-}
-
 bool ConvexBorder::build(Ticker& ticker)
 {
   const Bounds& bounds = polygon_.bounds();

@@ -6,7 +6,6 @@ namespace ahd
 
 namespace
 {
-constexpr std::size_t kNoTriangle = std::size_t(-1);
 constexpr Stretch kHull = 0;
 }
 
