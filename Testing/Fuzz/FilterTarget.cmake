@@ -25,10 +25,10 @@ file(GLOB ahd_fuzz_filter_sources CONFIGURE_DEPENDS "${ahd_root_dir}/Filters/vtk
   "${ahd_root_dir}/Filters/Sampling/*.cxx")
 add_library(ahd_fuzz_filter STATIC ${ahd_fuzz_filter_sources} ${ahd_distribution_sources})
 target_compile_features(ahd_fuzz_filter PUBLIC cxx_std_17)
-set_target_properties(ahd_fuzz_filter PROPERTIES POSITION_INDEPENDENT_CODE ON)
+set_target_properties(ahd_fuzz_filter PROPERTIES POSITION_INDEPENDENT_CODE ON UNITY_BUILD ON)
 # for VTK's classes, which are not instrumented, type information is missing in parts of the program
 target_compile_options(ahd_fuzz_filter PRIVATE
-  ${ahd_fuzz_watched} -fno-sanitize=vptr ${ahd_rounding_options}
+  ${ahd_fuzz_watched} -O0 -fno-sanitize=vptr ${ahd_rounding_options}
   -Wno-ignored-optimization-argument)
 target_include_directories(ahd_fuzz_filter PUBLIC "${ahd_root_dir}/Filters" "${ahd_fuzz_export}")
 target_link_libraries(ahd_fuzz_filter PUBLIC

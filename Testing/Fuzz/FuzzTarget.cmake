@@ -44,9 +44,11 @@ target_link_libraries(ahd_fuzz_engine PUBLIC Threads::Threads)
 
 include("${CMAKE_CURRENT_LIST_DIR}/../Support/EngineForTests.cmake")
 ahd_precompile_engine(ahd_fuzz_engine)
+ahd_unite_engine(ahd_fuzz_engine)
 foreach (library IN ITEMS ahd_point_makers ahd_test_support)
   target_compile_options(${library} PRIVATE ${ahd_fuzz_quiet} -Wno-ignored-optimization-argument)
 endforeach ()
+target_compile_definitions(ahd_test_support PRIVATE AHD_REDUCED_TESTS) # reduced(), for Engine.Sanitized
 
 add_library(ahd_fuzz_support STATIC FuzzCase.cxx)
 target_compile_options(ahd_fuzz_support PRIVATE

@@ -33,3 +33,20 @@ function (ahd_precompile_engine target)
       <limits> <memory> <string> <utility> <vector>)
   endif ()
 endfunction ()
+
+# ahd_unite_engine(<target>)
+# Compiles the engine's files of a folder as one, in about half of the time: for builds under sanitizers. Files for
+# one instruction set each stay alone.
+function (ahd_unite_engine target)
+  get_target_property(sources ${target} SOURCES)
+  foreach (source IN LISTS sources)
+    string(REGEX REPLACE ".*/([^/]+)/[^/]+$" "\\1" folder "${source}")
+    if (NOT folder MATCHES "^(Insert|Predicates)$")
+      set_source_files_properties("${source}" TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${folder})
+    endif ()
+  endforeach ()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # which takes the file's own types for a header's
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif ()
+endfunction ()

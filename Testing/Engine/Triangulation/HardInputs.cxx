@@ -232,6 +232,15 @@ TEST(LongHardInputs, FourMillionPointsOfThePapersDistributions)
   }
 }
 
+TEST(HardInputs, AreFewerUnderSanitizersOnly)
+{
+#ifdef AHD_REDUCED_TESTS
+  EXPECT_LT(reduced(100000), 100000u) << "the tests' support was compiled for full sizes";
+#else
+  EXPECT_EQ(reduced(100000), 100000u);
+#endif
+}
+
 TEST(LongHardInputs, ThousandsOfSmallRandomSets)
 {
   Engine engine;
