@@ -210,14 +210,13 @@ class DelaunayTest(unittest.TestCase):
     def test_terrain_is_triangulated_in_x_and_y(self):
         """Whatever the units of x and y are, unlike in PyVista."""
         data = pathlib.Path(__file__).resolve().parents[3] / "Data"
-        soundings = numpy.genfromtxt(data / "survey.csv", delimiter=",", skip_header=1)
-        in_degrees = soundings / (111000, 111000, 1)
+        soundings = numpy.genfromtxt(data / "survey.csv", delimiter=",", skip_header=1) / (111000, 111000, 1)  # degrees
         trees = scattered(4000, height=20) * (1, 0.1, 1) + (0, 0, 5)
         corridor = scattered(2000)
         corridor[:, 1] /= 200
         corridor[:, 2] = 40 * numpy.sin(corridor[:, 0] / 100)
         slope = numpy.array([(i % 30, i // 30, i % 30) for i in range(900)], float)
-        for name, points in (("soundings", in_degrees), ("trees", trees), ("corridor", corridor), ("slope", slope)):
+        for name, points in (("soundings", soundings), ("trees", trees), ("corridor", corridor), ("slope", slope)):
             for unit in (1.0, 111000.0, 1 / 111000):
                 mesh = mesh_of(points * (unit, unit, 1))
                 with warnings.catch_warnings():
@@ -227,7 +226,7 @@ class DelaunayTest(unittest.TestCase):
                 box = numpy.prod(numpy.ptp(mesh.points[:, :2].astype(float), axis=0))
                 self.assertLessEqual(area(made), box * (1 + 1e-6), name)
         with self.warns("steeper than 80 degrees.*ProjectionPlaneMode to XY Plane"):
-            mesh_of(in_degrees).adaptive.delaunay_2d(plane="best_fit", rim="convex_hull")
+            mesh_of(soundings).adaptive.delaunay_2d(plane="best_fit", rim="convex_hull")
 
     def test_walls_are_triangulated_in_their_plane(self):
         points = scattered(3000, height=400)
