@@ -119,6 +119,8 @@ def refusals():
     yield {"reason": engine.BAD_ARRAY, "cells": "polygons of the source", **bad}
     yield {"reason": engine.BAD_ARRAY}
     yield {"reason": engine.BAD_ARRAY, "polygon_fault": "is not convex"}
+    for other in ("limit", "alpha", "mean"):
+        yield {"reason": engine.BAD_VALUE, "conflict": 1, "conflict_with_" + other: 1}
     yield {"folded_triangles": 3, "triangles": 50}
     yield {"triangulation_is_null": 1}
     yield {"input_is_changed": 1}
