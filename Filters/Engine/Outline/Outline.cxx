@@ -9,6 +9,7 @@
 #include "CellEdges.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ahd
 {
@@ -29,7 +30,10 @@ public:
   }
 
   /// Returns false if cancelled; throws std::bad_alloc.
-  bool make(Ticker& ticker) { return walkAll(ticker) && findFirstCells(ticker) && order(ticker); }
+  bool make(Ticker& ticker)
+  {
+    return walkAll(ticker) && findTurns(ticker) && findFirstCells(ticker) && order(ticker);
+  }
   bool write(Outline& out, Ticker& ticker) const;
 
 private:
@@ -37,6 +41,7 @@ private:
   {
     Index begin, end; ///< its corners
     Index component;
+    bool turnsRight; ///< known of directed cells, else false
   };
 
   Point place(Index point) const
@@ -64,7 +69,7 @@ private:
     return isReversed_[ring.component] != 0 ? last(ring) : second(ring);
   }
   Point start(const Ring& ring) const { return place(corners_[ring.begin]); }
-  bool turnsRight(const Ring& ring) const
+  bool turnsRightAtStart(const Ring& ring) const
   {
     return orient2d(start(ring), place(second(ring)), place(last(ring))) < 0;
   }
@@ -72,6 +77,7 @@ private:
   bool walkAll(Ticker& ticker);
   bool walk(CellEdge from, Ticker& ticker);
   bool cutRing(std::size_t begin, Index component, Ticker& ticker);
+  bool findTurns(Ticker& ticker);
   bool findFirstCells(Ticker& ticker);
   Point lowestWay(const Ring& ring) const;
   bool isFurtherOut(const Ring& a, const Ring& b) const;
@@ -173,9 +179,44 @@ bool Rings::cutRing(std::size_t begin, Index component, Ticker& ticker)
   {
     const auto first = static_cast<Index>(cornerCount_);
     cornerCount_ += count;
-    rings_.push_back({ first, static_cast<Index>(cornerCount_), component });
+    rings_.push_back({ first, static_cast<Index>(cornerCount_), component, false });
   }
   size_ = begin + 1;
+  return true;
+}
+
+/// Of directed cells: by the area, as vertices may lie where the ring begins. Where the area is not
+/// more than its rounding, by the smallest vertex.
+bool Rings::findTurns(Ticker& ticker)
+{
+  for (std::size_t r = 0; request_.isDirected && r < rings_.size(); ++r)
+  {
+    Ring& ring = rings_[r];
+    const Point o = start(ring);
+    double scale = 0.0, area = 0.0, terms = 0.0;
+    const auto from = [&](std::size_t k)
+    {
+      const Point p = place(corners_[k]);
+      return Point{ p.x - o.x, p.y - o.y };
+    };
+    const auto measure = [&](std::size_t k) {
+      scale = std::max({ scale, std::abs(from(k).x), std::abs(from(k).y) });
+    };
+    const auto add = [&](std::size_t k)
+    {
+      const Point p = from(k - 1), q = from(k);
+      const double a = p.x / scale * (q.y / scale), b = p.y / scale * (q.x / scale);
+      area += a - b;
+      terms += std::abs(a) + std::abs(b);
+    };
+    if (!inSteps(ring.begin, ring.end, ticker, measure) ||
+      !inSteps(ring.begin + 1, ring.end, ticker, add))
+    {
+      return false;
+    }
+    const double rounding = double(ring.end - ring.begin) * (terms * 0x1p-50 + 0x1p-1022);
+    ring.turnsRight = std::abs(area) > rounding ? area < 0.0 : turnsRightAtStart(ring);
+  }
   return true;
 }
 
@@ -204,13 +245,13 @@ Point Rings::lowestWay(const Ring& ring) const
 }
 
 /// Of two rings of a component: the outer one has its smallest vertex, and if others pass that,
-/// lies around them. Of directed cells it is the only one that turns to the left there, also where
+/// lies around them. Of directed cells it is the only one that turns to the left, also where
 /// rounding takes the component's width.
 bool Rings::isFurtherOut(const Ring& a, const Ring& b) const
 {
-  if (request_.isDirected && turnsRight(a) != turnsRight(b))
+  if (a.turnsRight != b.turnsRight)
   {
-    return turnsRight(b);
+    return b.turnsRight;
   }
   const Point p = start(a), q = start(b);
   return p == q ? orient2d(p, lowestWay(a), lowestWay(b)) > 0 : lexicographicallyLess(p, q);
@@ -262,7 +303,7 @@ bool Rings::order(Ticker& ticker)
   {
     if (outer_[c] != kNoIndex)
     {
-      isReversed_[c] = !request_.isDirected && turnsRight(rings_[outer_[c]]) ? 1 : 0;
+      isReversed_[c] = !request_.isDirected && turnsRightAtStart(rings_[outer_[c]]) ? 1 : 0;
     }
   };
   return inSteps(0, rings_.size(), ticker, compare) && inSteps(0, outer_.size(), ticker, turn) &&

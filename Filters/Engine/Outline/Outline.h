@@ -45,7 +45,7 @@ enum class OutlinePlane
 ///   order of their numbers, then of their first corners, and so are the holes of a polygon. The
 ///   outline depends neither on the order of cells and points nor on the directions of cells.
 /// - Which ring is outer is exact. All else is a matter of ids. Of directed cells an outer ring
-///   turns to the left at its smallest vertex.
+///   turns to the left, by its area if that is more than rounding.
 struct Outline
 {
   std::vector<Index> corners;  ///< ids of points, ring after ring; the first is not repeated

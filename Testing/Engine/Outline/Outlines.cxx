@@ -238,37 +238,6 @@ TEST(Outlines, AHoleAtTheFirstVertexIsNoOuterRing)
   }
 }
 
-/// A frame whose inner corners are at the places of the outer ones, or beyond them by rounding.
-TEST(Outlines, DirectedCellsAreJoinedByIds)
-{
-  for (const double beyond : { 0.0, 0x1p-52 })
-  {
-    for (std::size_t first = 0; first < 4; ++first) // either ring is found first
-    {
-      OutlineCase given;
-      const double low = 1 - beyond, high = 2 + beyond;
-      given.points = { { 1, 1, 0 }, { 2, 1, 0 }, { 2, 2, 0 }, { 1, 2, 0 }, { low, low, 0 },
-        { high, low, 0 }, { high, high, 0 }, { low, high, 0 } };
-      for (std::size_t k = first; k < first + 4; ++k)
-      {
-        const auto a = std::int64_t(k % 4), b = std::int64_t((k + 1) % 4);
-        given.addCell({ a, b, b + 4, a + 4 });
-      }
-      const Outline made = given.outline(true);
-      EXPECT_EQ(made.corners, std::vector<Index>({ 0, 1, 2, 3, 4, 7, 6, 5 }));
-      EXPECT_EQ(made.polygons, std::vector<Index>({ 0, 2 }));
-      EXPECT_NE(given.outline().corners, made.corners);
-    }
-  }
-  OutlineCase noArea;
-  noArea.points = { { 0, 0, 0 }, { 1e-200, 0, 1 }, { 1e-200, 1e-200, 0 } };
-  noArea.addCell({ 0, 1, 2 });
-  EXPECT_EQ(noArea.outline().plane, OutlinePlane::Yz);
-  EXPECT_EQ(noArea.outline(true).plane, OutlinePlane::Xy);
-  noArea.points[2] = { 1e-200, -1e-200, 0 }; // turned over by rounding
-  EXPECT_EQ(noArea.outline(true).corners, std::vector<Index>({ 0, 1, 2 }));
-}
-
 TEST(Outlines, NothingHasNoRing)
 {
   OutlineCase none;

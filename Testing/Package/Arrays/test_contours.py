@@ -192,6 +192,16 @@ class ContoursTest(KeywordTest):
             self.assertGreater(outer, 0)
             self.assertLess(hole, 0)
 
+    def test_a_level_that_rounding_lays_on_points(self):
+        """0.1 * 3 is more than 0.3: crossings of edges lie at the corners of the surface, several at each."""
+        square = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1], [0.5, 0.25], [-0.5, -0.25], [0.25, -0.5], [-0.25, 0.5]])
+        for turn in range(8):
+            points = 100 + square[:, :: (-1) ** turn] * [1 - 2 * (turn // 4), 1 - turn // 2 % 2 * 2]
+            bands = delaunay(points).contours([0.3] * 4 + [1] * 4, [0, 0.1 * 3, 1], filled=True)
+            self.assertEqual([[len(polygon) for polygon in band] for band in bands], [[2], [1]])
+            outer, hole = (twice_area(ring.tolist()) for ring in bands[0][0])
+            self.assertEqual((outer, hole), (8, -8))
+
     def test_any_scale(self):
         square = np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
         for scale in (2.0**-1000, 2.0**1023):
