@@ -19,9 +19,9 @@ from ._results import Contours, Lines, Outline
 
 #: As many triangles at a time as the cache has room for.
 BLOCK = 1 << 14
-# Upper bounds of what is held at once, the engine's own apart: for a triangle, a node that is no point, a part. Their
-# corners are ids of 4 or 8 bytes, and held twice while they are put together.
-_TRIANGLE_BYTES, _NODE_BYTES, _PART_BYTES = 120, 180, 32
+# Upper bounds of what is held at once, the engine's own apart: for a point, a triangle, a triangle of a block, a node
+# that is no point, a part. Their corners are ids of 4 or 8 bytes, and held twice while they are put together.
+_POINT_BYTES, _TRIANGLE_BYTES, _BLOCK_BYTES, _NODE_BYTES, _PART_BYTES = 88, 80, 100, 180, 32
 
 
 def levels_of(given: Any, filled: bool) -> np.ndarray:
@@ -42,17 +42,17 @@ def levels_of(given: Any, filled: bool) -> np.ndarray:
 
 def fractions(level: np.ndarray, low: np.ndarray, high: np.ndarray) -> np.ndarray:
     """Where the level is on the way from `low` to `high`, which are finite: from 0 to 1."""
-    with np.errstate(over="ignore"):
+    with np.errstate(over="ignore", under="ignore"):
         scale = np.where(np.isinf(high - low), 0.5, 1.0)
-    made: np.ndarray = (level * scale - low * scale) / (high * scale - low * scale)
+        made: np.ndarray = (level * scale - low * scale) / (high * scale - low * scale)
     return made
 
 
 def between(begin: np.ndarray, end: np.ndarray, fraction: np.ndarray) -> np.ndarray:
     """The place at this fraction of the way, within the box of both ends."""
-    with np.errstate(over="ignore", invalid="ignore"):
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         made = begin + fraction * (end - begin)
-    made = np.where(np.isfinite(made), made, begin * (1 - fraction) + end * fraction)
+        made = np.where(np.isfinite(made), made, begin * (1 - fraction) + end * fraction)
     clipped: np.ndarray = np.clip(made, np.minimum(begin, end), np.maximum(begin, end))
     return clipped
 
@@ -95,7 +95,8 @@ class Cut:
         self.nodes = count + int(starts[-1])
         self.dtype = np.dtype(np.int32 if self.nodes < 1 << 31 else np.int64)
         parts = int(self.parts.sum())
-        self.bytes = (_TRIANGLE_BYTES * len(self.triangles) + _NODE_BYTES * int(starts[-1])
+        self.bytes = (_POINT_BYTES * count + _TRIANGLE_BYTES * len(self.triangles) + _NODE_BYTES * int(starts[-1])
+                      + _BLOCK_BYTES * min(len(self.triangles), BLOCK)
                       + (_PART_BYTES + 8 * self.dtype.itemsize) * parts)  # fmt: skip
         self._check_memory(limit, parts)
         #: What makes the number of a level that of the node on the edge from each corner to the next.

@@ -211,6 +211,10 @@ class ContoursTest(KeywordTest):
                 self.assertEqual((line / scale).tolist(), [[0.5, 1], [0.5, -0.5], [0.5, -1]])
                 bands = made.contours((square[:, 0] - 0.5) * 2 * height, [-height, 0.5 * height, height], True)
                 self.assertEqual([len(band) for band in bands], [1, 1])
+        made = delaunay((square + [0, 0.25]) * 1e-310)
+        with np.errstate(all="raise"):  # nothing of that is the caller's
+            line, = made.contours(square[:, 0], [0.3])[0]
+        self.assertEqual(len(line), 3)
 
     def test_places_lie_between_the_ends(self):
         random = np.random.default_rng(1)
@@ -292,8 +296,14 @@ class ContoursTest(KeywordTest):
         """What NumPy holds is within the estimate; that and the engine's are within the limit, or refused."""
         points = cloud(1, 20000)
         noise = cloud(2, 20000, 1)[:, 0]
-        for values, levels in ((points[:, 0], [0.2, 0.5]), (noise, np.linspace(0, 1, 9)), (noise, [3, 4])):
-            made = delaunay(points)
+        wall = np.stack((points[:, 0], noise / 100, points[:, 1]), axis=1)
+        few = delaunay(points, alpha=0.001), delaunay(wall, plane="best_fit", alpha=0.001)
+        self.assertLess(max(len(made.triangles) for made in few), 5000)
+        small = delaunay(points[:300])  # in one block
+        for made, values, levels in (
+                (delaunay(points), points[:, 0], [0.2, 0.5]), (delaunay(points), noise, np.linspace(0, 1, 9)),
+                (delaunay(points), noise, [3, 4]), (small, np.ones(300), [1, 2]), (few[0], noise, [0.2, 0.5]),
+                (few[1], noise, [0.2, 0.5])):  # fmt: skip
             made.contours(values, levels)
             tracemalloc.start()
             made.contours(values, levels)
@@ -302,13 +312,12 @@ class ContoursTest(KeywordTest):
             needed = _contours.Cut(made.triangles, values, np.array(levels), 0).bytes
             self.assertLess(most, needed)
             self.assertLess(needed, 3 * most)
-            made = delaunay(points, memory_limit=needed - 1)
+            made._request.settings["memory_limit"] = needed - 1
             with self.assertRaisesRegex(MemoryError, "outline of .* may take"):
                 made.contours(values, levels)
             made._request.settings["memory_limit"] = needed + 1000  # nothing for the engine
             with self.assertRaisesRegex(MemoryError, "outline of .* may take"):
                 made.contours(values, levels)
-
 
     def test_in_several_threads(self):
         points = cloud(1, 3000)
