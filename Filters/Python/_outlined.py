@@ -74,8 +74,10 @@ class Outlined(Measured):
 
         Which nodes a line or a polygon has is decided by comparing values and levels alone, so bands have no gaps and
         do not overlap. Where an edge crosses a level there is one node, whose place is computed once, to rounding, and
-        is the same in all lines and bands. (Levels so close that rounding takes what is between them may have rings
-        that touch or cross there.)
+        is the same in all lines and bands. Rings may touch or cross where rounding takes what is between: in triangles
+        as thin as that, and at a level beside another one or beside a point's value. shapely calls these invalid, so
+        take levels that are equal to rounded values: ``numpy.arange(11) / 10``, as ``numpy.arange(0, 1.1, 0.1)`` has
+        0.30000000000000004.
 
         Parameters
         ----------
@@ -85,9 +87,9 @@ class Outlined(Measured):
             In any order; repeated ones count once. With `filled` two or more, of which the first may be -inf and the
             last inf. A level beyond all values has nothing.
         filled : bool, default False
-            The bands, as matplotlib's `tricontourf` divides them: a band has values above its lower level up to its
-            upper one, which it includes; the first band includes the lowest level, too. This decides where a triangle
-            belongs that is at a level all over.
+            The bands: each has values above its lower level up to its upper one, which it includes; the first band
+            includes the lowest level, too. This decides where a triangle belongs that is at a level all over:
+            matplotlib's `tricontourf`, which is described alike, draws it in the band above.
 
         Returns
         -------

@@ -153,6 +153,19 @@ def test_the_page_for_users_of_others():
     assert compared == 21
 
 
+def test_flat_areas_at_a_level():
+    """As the page says: of the band below, with lines where it is higher; matplotlib's are of the band above."""
+    points = np.array([[0, 0], [1, 0], [0, 1], [2, 2], [-1, -1]], float)
+    values = [1, 1, 1, 2, 0]
+    made = delaunay(points)
+    tri = made.to_matplotlib()
+    bands, lines = made.contours(values, [0, 1, 2], filled=True), made.contours(values, [1])
+    theirs = matplotlib.pyplot.tricontourf(tri, values, levels=[0, 1, 2])
+    np.testing.assert_allclose(np.subtract(drawn_sizes(theirs), sizes(bands)), [-0.5, 0.5])
+    np.testing.assert_allclose(sizes(lines), [2**0.5])
+    np.testing.assert_allclose(drawn_sizes(matplotlib.pyplot.tricontour(tri, values, levels=[1])), [2])
+
+
 # --- matplotlib ---------------------------------------------------------------------------------------------
 
 
