@@ -53,7 +53,7 @@ const std::map<std::string, Names>& allowedParts()
       { "Points", "Order", "Predicates", "Mesh", "Constrain", "Extract", "Prepare", "Sample",
         "Triangulation", "" } },
     { "Job",
-      { "Points", "Order", "Merge", "Crossings", "Outline", "Prepare", "Sample", "Simplify",
+      { "Points", "Order", "Merge", "Crossings", "Edit", "Outline", "Prepare", "Sample", "Simplify",
         "Surface", "Triangulation", "Voronoi", "" } },
     { "Interface", { "Job" } },
   };

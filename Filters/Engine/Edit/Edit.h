@@ -116,6 +116,8 @@ public:
   /// What is left.
   Status write(EditedInput& out, const Context& context) const;
   std::size_t pointCount() const { return present_; }
+  /// Points that came; the next one's id.
+  std::size_t idCount() const { return places_.size(); }
   std::size_t segmentCount() const { return ends_.size() / 2; }
   /// Is there a point with this id?
   bool has(std::int64_t id) const

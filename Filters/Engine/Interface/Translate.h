@@ -3,6 +3,7 @@
 #define ahd_Translate_h
 
 #include "../Job/InputArrays.h"
+#include "../Job/Job.h"
 #include "../Job/Messages.h"
 #include "../Job/Refusal.h"
 #include "../Job/Sampling.h"
@@ -87,6 +88,15 @@ constexpr struct
   { AHD_INT32, std::int64_t(kInt32) },
   { AHD_INT64, std::int64_t(kInt64) },
   { AHD_UINT8, std::int64_t(kUint8) },
+  { AHD_EDIT_DONE, std::int64_t(EditOutcome::Done) },
+  { AHD_EDIT_NOT_TRIED, std::int64_t(EditOutcome::NotTried) },
+  { AHD_EDIT_NO_POINT, std::int64_t(EditOutcome::NoPoint) },
+  { AHD_EDIT_END_OF_SEGMENT, std::int64_t(EditOutcome::EndOfSegment) },
+  { AHD_EDIT_SEGMENTS_MEET, std::int64_t(EditOutcome::SegmentsMeet) },
+  { AHD_EDIT_NOT_FINITE, std::int64_t(EditOutcome::NotFinite) },
+  { AHD_EDIT_NO_LENGTH, std::int64_t(EditOutcome::NoLength) },
+  { AHD_EDIT_CROSSES, std::int64_t(EditOutcome::Crosses) },
+  { AHD_EDIT_NO_SEGMENT, std::int64_t(EditOutcome::NoSegment) },
   { AHD_AT_SURFACE, std::int64_t(kAtSurface) },
   { AHD_AT_CROSSINGS, std::int64_t(kAtCrossings) },
 };

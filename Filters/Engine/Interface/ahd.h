@@ -537,6 +537,7 @@ AHD_API uint64_t ahd_available_memory(void);
 /* 128 bits that differ, in practice, where bytes or `kind` do; 0, 0 for null or absurd counts. */
 AHD_API void ahd_fingerprint(const void* bytes, uint64_t count, uint64_t kind, uint64_t out[2]);
 
+#include "ahd_edit.h"     /* points that come, go and move */
 #include "ahd_messages.h" /* messages about a run */
 #include "ahd_outline.h"  /* the outline of a surface as polygons with holes */
 #include "ahd_sample.h"   /* values between the points, at any places or on a raster */

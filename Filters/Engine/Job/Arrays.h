@@ -49,6 +49,7 @@ struct Places
   std::int64_t* cells; ///< may be null
 };
 void locate(Job& job, const double* xy, std::uint64_t given, const Places& out);
+PlaceKind kindOf(Location::Kind kind);
 
 } // namespace ahd
 

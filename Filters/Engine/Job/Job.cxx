@@ -50,6 +50,7 @@ void Job::reset(std::size_t most)
   arrays = InputArrays();
   setProjection(nullptr, nullptr);
   progress.setCallback(nullptr, nullptr);
+  edit_.reset();
   report_ = RunReport();
 }
 

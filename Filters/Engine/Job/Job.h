@@ -4,6 +4,7 @@
 
 #include "../Core/Processors.h"
 #include "../Core/Threads.h"
+#include "../Edit/Edit.h"
 #include "InputArrays.h"
 #include "OutlineRun.h"
 #include "Progress.h"
@@ -17,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -81,6 +83,11 @@ public:
   /// Refuses if there is none.
   const Outline& outline() const;
 
+  /// Calls work(edit, context) with the points and segments that are edited, apart from input and
+  /// result; `more` points may come, else 0. Refuses unless Ok.
+  void editWith(std::uint64_t more, const std::function<Status(Edit&, const Context&)>& work);
+  const Edit& edited();
+
   /// Refuses if there is none.
   JobResult& result();
   /// Null if there is none.
@@ -113,9 +120,24 @@ private:
     ~NoteThreads() { used = std::max(used, threads.used()); }
   };
 
-  class Apart;
+  /// A call with progress of its own: that of the run is left as it is.
+  class Apart
+  {
+  public:
+    explicit Apart(JobProgress& progress)
+      : progress_(progress)
+    {
+      progress.beginApart({ 1.0 });
+      progress.reach(1);
+    }
+    ~Apart() { progress_.endApart(); }
+
+  private:
+    JobProgress& progress_;
+  };
   RunSettings asked() const;
   void runWith(const Context& context);
+  void checkEditMemory(std::size_t more);
   void refuseUsedUp(const RunSettings& asked) const;
   InputRequest request(const RunSettings& asked) const;
   CallersMemory callersMemory() const;
@@ -129,6 +151,7 @@ private:
   Workspace workspace_;
   std::unique_ptr<JobResult> result_;
   std::unique_ptr<Outline> outline_;
+  std::unique_ptr<Edit> edit_; ///< made when first used
   RunReport report_;
 };
 

@@ -56,22 +56,6 @@ const Outline& Job::outline() const
   return *outline_;
 }
 
-/// A call with progress of its own: that of the run is left as it is.
-class Job::Apart
-{
-public:
-  explicit Apart(JobProgress& progress)
-    : progress_(progress)
-  {
-    progress.beginApart({ 1.0 });
-    progress.reach(1);
-  }
-  ~Apart() { progress_.endApart(); }
-
-private:
-  JobProgress& progress_;
-};
-
 void Job::makeOutline(OutlineMemory& memory, bool isDirected)
 {
   outline_.reset();

@@ -101,15 +101,6 @@ public:
   }
 
 private:
-  static PlaceKind kindOf(Location::Kind kind)
-  {
-    return kind == Location::InTriangle ? PlaceKind::InTriangle
-      : kind == Location::OnEdge        ? PlaceKind::OnEdge
-      : kind == Location::OnVertex      ? PlaceKind::OnVertex
-      : kind == Location::Outside       ? PlaceKind::Outside
-                                        : PlaceKind::Nowhere;
-  }
-
   void writeCorners(HalfEdge h, int count, std::int64_t* ids) const
   {
     for (int k = 0; k < count; ++k, h = nextInTriangle(h))
@@ -167,6 +158,15 @@ bool locateAll(const JobResult& made, const PointView& places, const Places& out
 }
 
 } // namespace
+
+PlaceKind kindOf(Location::Kind kind)
+{
+  return kind == Location::InTriangle ? PlaceKind::InTriangle
+    : kind == Location::OnEdge        ? PlaceKind::OnEdge
+    : kind == Location::OnVertex      ? PlaceKind::OnVertex
+    : kind == Location::Outside       ? PlaceKind::Outside
+                                      : PlaceKind::Nowhere;
+}
 
 void drawOrder(Job& job, std::int32_t type, const GivenDrawing& drawing)
 {

@@ -82,6 +82,7 @@ int main(int argc, char** argv)
     test_sample();
     test_given_surface();
     test_outline();
+    test_edit();
     test_messages();
     test_unchanged();
     test_at_once();
