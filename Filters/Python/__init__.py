@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from ._arrays import Voronoi as Voronoi
     from ._arrays import delaunay as delaunay
     from ._arrays import release_memory as release_memory
+    from ._edit import Edit as Edit
+    from ._edit import EditPlaces as EditPlaces
     from ._interpolators import LinearInterpolator as LinearInterpolator
     from ._interpolators import NaturalNeighborInterpolator as NaturalNeighborInterpolator
     from ._interpolators import NearestInterpolator as NearestInterpolator
@@ -51,6 +53,7 @@ _ARRAYS = ("Boxes", "DelaunayWarning", "Kind", "Location", "Outline", "Triangula
 _MODULES = {
     **dict.fromkeys(_ARRAYS, "._arrays"),
     **dict.fromkeys(("LinearInterpolator", "NaturalNeighborInterpolator", "NearestInterpolator"), "._interpolators"),
+    **dict.fromkeys(("Edit", "EditPlaces"), "._edit"),
     "Raster": "._raster",
     "__version__": "._interface",
     **dict.fromkeys(("Adjacency", "Contours", "Lines"), "._results"),
@@ -66,9 +69,9 @@ _CLASSES = (
 )
 
 __all__ = [
-    "Adjacency", "Boxes", "Contours", "DelaunayWarning", "Kind", "LinearInterpolator", "Lines", "Location",
-    "NaturalNeighborInterpolator", "NearestInterpolator", "Outline", "Raster", "Triangulation", "Voronoi", "Weights",
-    "delaunay", "release_memory",
+    "Adjacency", "Boxes", "Contours", "DelaunayWarning", "Edit", "EditPlaces", "Kind", "LinearInterpolator", "Lines",
+    "Location", "NaturalNeighborInterpolator", "NearestInterpolator", "Outline", "Raster", "Triangulation", "Voronoi",
+    "Weights", "delaunay", "release_memory",
 ]  # fmt: skip
 
 

@@ -54,6 +54,10 @@ POINT_NOT_FINITE, POINT_NOT_INSERTED = -1, -2
 # Where a place lies.
 IN_TRIANGLE, ON_EDGE, ON_VERTEX, OUTSIDE, NOWHERE = range(5)
 
+# What became of a request of ahd_edit.h.
+EDIT_DONE, EDIT_NOT_TRIED, EDIT_NO_POINT, EDIT_END_OF_SEGMENT, EDIT_SEGMENTS_MEET = range(5)
+EDIT_NOT_FINITE, EDIT_NO_LENGTH, EDIT_CROSSES, EDIT_NO_SEGMENT = range(5, 9)
+
 # For Job.interpolate.
 AT_SURFACE, AT_CROSSINGS = 1, 2
 
@@ -234,6 +238,14 @@ def _signatures() -> Dict[str, Tuple[Any, List[Any]]]:
         "ahd_outline": (status, [job, to(OutlineReport)]),
         "ahd_outline_directed": (status, [job, to(OutlineReport)]),
         "ahd_within_radius": (status, [job, double, pointer]),
+        "ahd_edit_insert": (status, [job, pointer, u64, to(i64)]),
+        "ahd_edit_remove": (status, [job, pointer, u64, pointer]),
+        "ahd_edit_move": (status, [job, pointer, pointer, u64, pointer]),
+        "ahd_edit_constrain": (status, [job, pointer, u64, pointer]),
+        "ahd_edit_release": (status, [job, pointer, u64, pointer]),
+        "ahd_edit_locate": (status, [job, pointer, u64, pointer, pointer]),
+        "ahd_edit_size": (status, [job, to(u64), to(u64)]),
+        "ahd_edit_write": (status, [job, pointer, pointer, pointer]),
         "ahd_say": (u64, [job, i32, i32, to(Fact), u64, pointer, u64]),
         "ahd_name": (name, [i32, u32]),
         "ahd_status_name": (name, [status]),

@@ -11,6 +11,11 @@ from ._made import frozen
 from ._results import Adjacency
 from ._sampling import Sampled
 
+if TYPE_CHECKING:
+    from ._edit import Edit
+else:
+    Edit = Any  # which imports this
+
 
 def lists_of(owners: np.ndarray, items: np.ndarray, count: int, most: int, dtype: Any) -> Adjacency:
     """For each of `count` owners the items beside its number, ascending. Requires: items from 0 to most - 1."""
@@ -112,6 +117,13 @@ class Measured(Sampled):
 
         made: np.ndarray = self._made("circumcenters", make)
         return made
+
+    def edit(self) -> Edit:
+        """An `Edit` that begins with these points and segments: points come, go and move, and its `done` gives what
+        `delaunay` gives of the rest. ValueError for one with loops, merged or added points, limits or a plane."""
+        from ._edit import Edit
+
+        return Edit._of(self)  # type: ignore[arg-type]
 
     def to_matplotlib(self, mask: Any = None) -> Any:
         """This triangulation for matplotlib's `tripcolor`, `tricontourf`, `CubicTriInterpolator`, ...
