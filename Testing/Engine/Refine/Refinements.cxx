@@ -2,6 +2,7 @@
 //
 // refine() against its contract: the result is the fresh triangulation of its points and pieces,
 // what is not bad meets the request, and none of it depends on the order of the input.
+#include "Hash.h"
 #include "RefineCase.h"
 #include "Shores.h"
 
@@ -271,6 +272,41 @@ TEST(Refinements, AreTheSameInAnyOrder)
       EXPECT_EQ(other.made.offsets, first.made.offsets);
       EXPECT_EQ(other.made.bad.size(), first.made.bad.size());
     }
+  }
+}
+
+/// Which points they are: pieces before triangles, short before long, then by places.
+TEST(Refinements, AreThese)
+{
+  struct Row
+  {
+    Drawing drawing;
+    RefineRequest request;
+    std::size_t points;
+    const char* hash;
+  };
+  const Row rows[] = {
+    { nested(), { 30.0, 0.0, 0.0, nullptr, 100000 }, 90, "b491e9f625cdb5f4" },
+    { island(5, 100), { 33.0, 0.0, 0.0, nullptr, 100000 }, 548, "f7a7a4bd2b2424cb" },
+    { island(3, 100), { 20.0, 0.02, 0.5, nullptr, 100000 }, 3015, "73394c3a53174f99" },
+    { slit(), { 25.0, 0.0, 0.0, nullptr, 100000 }, 2186, "f23311d6d8dd54ff" },
+  };
+  for (const Row& row : rows)
+  {
+    RefineCase given(row.drawing.made());
+    given.request = row.request;
+    ASSERT_EQ(given.run(), Status::Ok);
+    Hash hash;
+    for (const SteinerPoint& p : given.made.points)
+    {
+      hash.add(Point{ p.x, p.y });
+      for (const double weight : p.weights)
+      {
+        hash.add(weight);
+      }
+    }
+    EXPECT_EQ(given.made.points.size(), row.points);
+    EXPECT_EQ(hash.text(), row.hash);
   }
 }
 
