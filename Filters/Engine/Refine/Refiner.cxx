@@ -56,22 +56,22 @@ Refiner::Item Refiner::pop(std::vector<Item>& queue)
   return item;
 }
 
-/// The half-edge of an edge that may be gone; kNoIndex if it is.
+/// The half-edge of a piece that may be gone; kNoIndex if it is.
 Refiner::Halfedge Refiner::pieceOf(const Item& item) const
 {
-  const Halfedge h = mesh_.edge(item.corners[0], item.corners[1]);
+  const Vertex a = item.corners[0], b = item.corners[1];
+  const Vertex from = mesh_.origin(item.at), to = mesh_.target(item.at);
+  const bool isSame = (from == a && to == b) || (from == b && to == a);
+  const Halfedge h = isSame ? item.at : mesh_.edge(a, b);
   return h != kNoIndex && mesh_.isConstraint(h) ? h : kNoIndex;
 }
 
-/// The same of a triangle.
-Refiner::Halfedge Refiner::triangleOf(const Item& item) const
+/// Is the triangle where it was? One that is made anew comes anew.
+bool Refiner::isThere(const Item& item) const
 {
-  const Halfedge h = mesh_.edge(item.corners[0], item.corners[1]);
-  const Vertex apex = item.corners[2];
-  return h == kNoIndex                  ? kNoIndex
-    : mesh_.apex(h) == apex             ? h
-    : mesh_.apex(mesh_.twin(h)) == apex ? mesh_.twin(h)
-                                        : kNoIndex;
+  const Vertex corners[] = { mesh_.apex(item.at), mesh_.apex(item.at + 1),
+    mesh_.apex(item.at + 2) };
+  return std::is_permutation(corners, corners + 3, item.corners);
 }
 
 Refiner::Item Refiner::itemOf(Halfedge piece) const
@@ -81,7 +81,7 @@ Refiner::Item Refiner::itemOf(Halfedge piece) const
   {
     std::swap(a, b);
   }
-  return { criteria_.length(domain_.place(a), domain_.place(b)), { a, b, b } };
+  return { criteria_.length(domain_.place(a), domain_.place(b)), { a, b, b }, piece };
 }
 
 /// A triangle that has changed, and its edges.
@@ -143,7 +143,7 @@ Refiner::Triangle Refiner::measure(Slot s) const
   const Point places[3] = { domain_.place(v[0]), domain_.place(v[1]), domain_.place(v[2]) };
   const double sizes[3] = { domain_.sizeOf(v[0]), domain_.sizeOf(v[1]), domain_.sizeOf(v[2]) };
   const Measured m = criteria_.measure(places, domain_.hasSizes() ? sizes : nullptr);
-  return { { m.shortest, { v[0], v[1], v[2] } }, m };
+  return { { m.shortest, { v[0], v[1], v[2] }, s }, m };
 }
 
 /// Is the edge one between two segments that meet in a sharp angle, its ends equally far from
@@ -392,7 +392,7 @@ std::vector<Refiner::Halfedge> Refiner::piecesAgainst(
 
 /// Inserts the centre, or splits the pieces against it; then the triangle may still be bad, and
 /// comes again. One for which neither is possible stays as it is.
-void Refiner::improve(const Item& item, Slot s)
+void Refiner::improve(const Item& item)
 {
   const Vertex* const v = item.corners;
   const Point corners[3] = { domain_.place(v[0]), domain_.place(v[1]), domain_.place(v[2]) };
@@ -402,8 +402,8 @@ void Refiner::improve(const Item& item, Slot s)
   {
     return;
   }
-  LivingMesh::Spot spot{ LivingMesh::Kind::AtVertex, s };
-  const std::vector<Halfedge> pieces = piecesAgainst(centre, s, spot);
+  LivingMesh::Spot spot{ LivingMesh::Kind::AtVertex, item.at };
+  const std::vector<Halfedge> pieces = piecesAgainst(centre, item.at, spot);
   if (!pieces.empty())
   {
     if (splitAll(pieces))
@@ -429,14 +429,14 @@ bool Refiner::run()
   {
     const bool isPiece = !pieces_.empty();
     const Item item = pop(isPiece ? pieces_ : bad_);
-    const Halfedge h = isPiece ? pieceOf(item) : triangleOf(item);
-    if (h != kNoIndex && isPiece && isEncroached(h))
+    const Halfedge piece = isPiece ? pieceOf(item) : kNoIndex;
+    if (piece != kNoIndex && isEncroached(piece))
     {
-      split(h);
+      split(piece);
     }
-    else if (h != kNoIndex && !isPiece && domain_.isInside(Mesh::slotOf(h)))
+    else if (!isPiece && isThere(item))
     {
-      improve(item, Mesh::slotOf(h));
+      improve(item);
     }
     goesOn = ticker_.step(1 + std::min(mesh_.star().size(), kChunk));
   }

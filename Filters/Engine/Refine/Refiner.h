@@ -41,6 +41,7 @@ private:
   {
     double length; ///< of the edge or the shortest one
     Vertex corners[3];
+    Halfedge at; ///< where it was: the edge, or the triangle's slot
   };
   struct Triangle
   {
@@ -56,7 +57,7 @@ private:
   bool isAcrossInputAngle(Vertex p, Vertex q) const;
   bool isHidden(const Triangle& t) const;
   Halfedge pieceOf(const Item& item) const;
-  Halfedge triangleOf(const Item& item) const;
+  bool isThere(const Item& item) const;
   bool isOpenTo(Halfedge h, const Point& p) const;
   bool isTooLong(Halfedge h) const;
   double splitFraction(Index segment, double from, double to) const;
@@ -67,7 +68,7 @@ private:
   bool isBefore(const Item& a, const Item& b) const;
   void findSharp();
   void findSharpAt(Vertex v);
-  void improve(const Item& item, Slot s);
+  void improve(const Item& item);
   std::vector<Halfedge> piecesAgainst(const Point& centre, Slot s, LivingMesh::Spot& spot);
   Halfedge walk(Slot& s, const Point& to) const;
   LivingMesh::Spot spotIn(Slot s, const Point& p) const;
