@@ -11,7 +11,6 @@ import numpy as np
 from . import _library as library
 from ._input import DEFAULTS, Request, points_of, settings_of
 from ._keywords import KEYWORDS
-from ._library import C
 from ._raster import real_numbers, unmasked, xy_of
 from ._triangulation import Triangulation
 from ._warnings import warn
@@ -130,10 +129,10 @@ class Edit:
             raise ValueError("the edit was closed")
         return self._job
 
-    def _request(self, function: Any, given: np.ndarray) -> np.ndarray:
+    def _request(self, name: str, given: np.ndarray) -> np.ndarray:
         """Outcomes of requests, one for each row of `given`, which is int64."""
         outcomes = np.empty(len(given), np.uint8)
-        self._own()._call(function, given.ctypes.data, len(given), outcomes.ctypes.data, arrays=(given, outcomes))
+        self._own()._call(name, given.ctypes.data, len(given), outcomes.ctypes.data, arrays=(given, outcomes))
         return outcomes
 
     def _check(self, name: str, outcomes: np.ndarray, given: np.ndarray) -> None:
@@ -158,20 +157,20 @@ class Edit:
         has an id, and no vertex."""
         xy, z = self._points(points)
         first, job = ctypes.c_int64(), self._own()
-        job._call(C.ahd_edit_insert, None, 0, first)
+        job._call("ahd_edit_insert", None, 0, first)
         if self._columns == 3:  # before they are there: those of a call that fails are written over
             end = first.value + len(z)
             if end > len(self._z):
                 self._z = np.concatenate((self._z, np.zeros(max(end, 2 * len(self._z)) - len(self._z))))
             self._z[first.value : end] = z
-        job._call(C.ahd_edit_insert, xy.ctypes.data, len(xy), first, arrays=(xy,))
+        job._call("ahd_edit_insert", xy.ctypes.data, len(xy), first, arrays=(xy,))
         return np.arange(first.value, first.value + len(xy))
 
     def remove(self, ids: Any) -> None:
         """Removes points. ValueError names the first that cannot go: there is none with the id, or a segment ends
         there, or two meet there that would cross without it. The others are gone."""
         given = _ids("ids", ids, 1)
-        self._check("remove", self._request(C.ahd_edit_remove, given), given)
+        self._check("remove", self._request("ahd_edit_remove", given), given)
 
     def move(self, ids: Any, points: Any) -> None:
         """Moves points; they keep their ids. Refused as by `remove`."""
@@ -181,7 +180,7 @@ class Edit:
             raise ValueError("there are %d ids and %d points" % (len(given), len(xy)))
         outcomes = np.ones(len(given), np.uint8)
         try:
-            self._own()._call(C.ahd_edit_move, given.ctypes.data, xy.ctypes.data, len(given), outcomes.ctypes.data,
+            self._own()._call("ahd_edit_move", given.ctypes.data, xy.ctypes.data, len(given), outcomes.ctypes.data,
                               arrays=(given, xy, outcomes))  # fmt: skip
         finally:
             if self._columns == 3:
@@ -194,7 +193,7 @@ class Edit:
         accepted one is not. ValueError names the first without two points at different, finite places; the others are
         as they would be without it."""
         given = _ids("segments", segments, 2)
-        outcomes = self._request(C.ahd_edit_constrain, given)
+        outcomes = self._request("ahd_edit_constrain", given)
         self._check("constrain", np.where(outcomes == library.EDIT_CROSSES, library.EDIT_DONE, outcomes), given)
         accepted: np.ndarray = outcomes == library.EDIT_DONE
         return accepted
@@ -202,7 +201,7 @@ class Edit:
     def release(self, segments: Any) -> None:
         """The segments, given in either direction, are gone. ValueError names the first that was not there."""
         given = _ids("segments", segments, 2)
-        self._check("release", self._request(C.ahd_edit_release, given), given)
+        self._check("release", self._request("ahd_edit_release", given), given)
 
     # --- what there is ---
 
@@ -213,7 +212,7 @@ class Edit:
         if xy.ndim != 2 or xy.shape[1] != 2:
             raise ValueError("places must be of shape (k, 2), not %s" % (xy.shape,))
         found = EditPlaces(np.empty(len(xy), np.int32), np.empty((len(xy), 3), np.int64))
-        self._own()._call(C.ahd_edit_locate, xy.ctypes.data, len(xy), *(array.ctypes.data for array in found),
+        self._own()._call("ahd_edit_locate", xy.ctypes.data, len(xy), *(array.ctypes.data for array in found),
                           arrays=(xy, *found))  # fmt: skip
         return found
 
@@ -221,12 +220,12 @@ class Edit:
         points, segments = self._sizes()
         ids, xy, pairs = np.empty(points, np.int64), np.empty((points, 2)), np.empty((segments, 2), np.int64)
         made = (ids, xy, pairs)
-        self._own()._call(C.ahd_edit_write, *(array.ctypes.data for array in made), arrays=made)
+        self._own()._call("ahd_edit_write", *(array.ctypes.data for array in made), arrays=made)
         return made
 
     def _sizes(self) -> Tuple[int, int]:
         points, segments = ctypes.c_uint64(), ctypes.c_uint64()
-        self._own()._call(C.ahd_edit_size, points, segments)
+        self._own()._call("ahd_edit_size", points, segments)
         return points.value, segments.value
 
     def __len__(self) -> int:
