@@ -221,7 +221,9 @@ class PipelineTest(Case):
                     algorithm, said = run(cloud(scattered(50)), **{name: end})
                     self.assertEqual(said.errors, [])
                     merges = name == "Tolerance" and end > 0
-                    self.assertEqual(algorithm.GetNumberOfPointsInserted(), 1 if merges else 50)
+                    left_out = algorithm.GetNumberOfPointsWithinError()
+                    self.assertEqual(left_out > 0, name == "MaximumError" and end > 0)
+                    self.assertEqual(algorithm.GetNumberOfPointsInserted() + left_out, 1 if merges else 50)
 
     def test_estimate_grows_with_what_is_asked_for(self):
         """By the bytes of the outputs at least, and not by much more; bytes per point."""
