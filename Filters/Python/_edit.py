@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Dict, NamedTuple, NoReturn, Optional, Tuple, Union
+from typing import Any, Dict, NamedTuple, NoReturn, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from ._raster import real_numbers, unmasked, xy_of
 from ._triangulation import Triangulation
 from ._warnings import warn
 
+_FEW = 16  #: requests that take less time than to listen to Ctrl-C
 _REFUSED = {
     library.EDIT_NO_POINT: "no point has the id %s",
     library.EDIT_END_OF_SEGMENT: "point %s is the end of a segment: release that first",
@@ -129,10 +130,15 @@ class Edit:
             raise ValueError("the edit was closed")
         return self._job
 
-    def _request(self, name: str, given: np.ndarray) -> np.ndarray:
+    def _call(self, name: str, count: int, *arguments: Any, arrays: Sequence[np.ndarray] = ()) -> None:
+        """With so many requests; with few Ctrl-C waits for their end."""
+        self._own()._call(name, *arguments, arrays=arrays, isBrief=count <= _FEW)
+
+    def _request(self, function: str, given: np.ndarray) -> np.ndarray:
         """Outcomes of requests, one for each row of `given`, which is int64."""
         outcomes = np.empty(len(given), np.uint8)
-        self._own()._call(name, given.ctypes.data, len(given), outcomes.ctypes.data, arrays=(given, outcomes))
+        addresses = given.ctypes.data, len(given), outcomes.ctypes.data
+        self._call(function, len(given), *addresses, arrays=(given, outcomes))
         return outcomes
 
     def _check(self, name: str, outcomes: np.ndarray, given: np.ndarray) -> None:
@@ -156,14 +162,14 @@ class Edit:
         """Inserts points, (n, 2) or (n, 3), all or none, and returns their ids, (n,) int64. A point that is not finite
         has an id, and no vertex."""
         xy, z = self._points(points)
-        first, job = ctypes.c_int64(), self._own()
-        job._call("ahd_edit_insert", None, 0, first)
+        first = ctypes.c_int64()
+        self._call("ahd_edit_insert", 0, None, 0, first)
         if self._columns == 3:  # before they are there: those of a call that fails are written over
             end = first.value + len(z)
             if end > len(self._z):
                 self._z = np.concatenate((self._z, np.zeros(max(end, 2 * len(self._z)) - len(self._z))))
             self._z[first.value : end] = z
-        job._call("ahd_edit_insert", xy.ctypes.data, len(xy), first, arrays=(xy,))
+        self._call("ahd_edit_insert", len(xy), xy.ctypes.data, len(xy), first, arrays=(xy,))
         return np.arange(first.value, first.value + len(xy))
 
     def remove(self, ids: Any) -> None:
@@ -180,8 +186,8 @@ class Edit:
             raise ValueError("there are %d ids and %d points" % (len(given), len(xy)))
         outcomes = np.ones(len(given), np.uint8)
         try:
-            self._own()._call("ahd_edit_move", given.ctypes.data, xy.ctypes.data, len(given), outcomes.ctypes.data,
-                              arrays=(given, xy, outcomes))  # fmt: skip
+            addresses = given.ctypes.data, xy.ctypes.data, len(given), outcomes.ctypes.data
+            self._call("ahd_edit_move", len(given), *addresses, arrays=(given, xy, outcomes))
         finally:
             if self._columns == 3:
                 moved = outcomes == library.EDIT_DONE
@@ -212,20 +218,20 @@ class Edit:
         if xy.ndim != 2 or xy.shape[1] != 2:
             raise ValueError("places must be of shape (k, 2), not %s" % (xy.shape,))
         found = EditPlaces(np.empty(len(xy), np.int32), np.empty((len(xy), 3), np.int64))
-        self._own()._call("ahd_edit_locate", xy.ctypes.data, len(xy), *(array.ctypes.data for array in found),
-                          arrays=(xy, *found))  # fmt: skip
+        addresses = [array.ctypes.data for array in (xy, *found)]
+        self._call("ahd_edit_locate", len(xy), addresses[0], len(xy), *addresses[1:], arrays=(xy, *found))
         return found
 
     def _written(self) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
         points, segments = self._sizes()
         ids, xy, pairs = np.empty(points, np.int64), np.empty((points, 2)), np.empty((segments, 2), np.int64)
         made = (ids, xy, pairs)
-        self._own()._call("ahd_edit_write", *(array.ctypes.data for array in made), arrays=made)
+        self._call("ahd_edit_write", points, *(array.ctypes.data for array in made), arrays=made)
         return made
 
     def _sizes(self) -> Tuple[int, int]:
         points, segments = ctypes.c_uint64(), ctypes.c_uint64()
-        self._own()._call("ahd_edit_size", points, segments)
+        self._call("ahd_edit_size", 0, points, segments)
         return points.value, segments.value
 
     def __len__(self) -> int:
