@@ -34,15 +34,20 @@ bool areSame(const Outline& a, const Outline& b)
 TEST(OutlineTrouble, AnyAskingCanCancel)
 {
   const OutlineCase given = manyRings(120);
-  Listener all;
-  Outline made;
-  ASSERT_EQ(outline(given.request(), Context{ &all, nullptr }, made), Status::Ok);
-  EXPECT_GT(all.askings(), 20u);
-  for (std::size_t k = 1; k <= all.askings(); ++k)
+  for (const bool isDirected : { false, true })
   {
-    Listener listener(k);
-    ASSERT_EQ(outline(given.request(), Context{ &listener, nullptr }, made), Status::Cancelled);
-    EXPECT_EQ(listener.askings(), k) << "nobody is asked again";
+    OutlineRequest request = given.request();
+    request.isDirected = isDirected;
+    Listener all;
+    Outline made;
+    ASSERT_EQ(outline(request, Context{ &all, nullptr }, made), Status::Ok);
+    EXPECT_GT(all.askings(), 20u);
+    for (std::size_t k = 1; k <= all.askings(); ++k)
+    {
+      Listener listener(k);
+      ASSERT_EQ(outline(request, Context{ &listener, nullptr }, made), Status::Cancelled);
+      EXPECT_EQ(listener.askings(), k) << "nobody is asked again";
+    }
   }
 }
 
