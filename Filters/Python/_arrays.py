@@ -26,6 +26,7 @@ __all__ = [
 def delaunay(
     points: Any,
     *,
+    heights: Any = None,
     constraints: Any = None,
     segments: Any = None,
     lines: Any = None,
@@ -43,6 +44,9 @@ def delaunay(
     crossings: Literal["leave_out", "split"] = "leave_out",
     maximum_edge_length: float = 0.0,
     alpha: float = 0.0,
+    maximum_error: float = 0.0,
+    maximum_vertices: int = 0,
+    second_pass: bool = False,
     rim: Literal["automatic", "convex_hull", "trimmed"] = "automatic",
     tolerance: float = 0.0,
     duplicates: Literal["first", "lowest_z", "highest_z", "mean_z"] = "first",
@@ -74,6 +78,8 @@ def delaunay(
         it has x and y. float32 and float64 are not copied, whatever their strides, if the
         coordinates of a point are contiguous; other types are converted to float64. Points whose x or y is NaN or
         infinite are rejected, and a warning counts them. Do not change arrays while the triangulation is in use.
+    heights : (n,) array of real numbers, optional
+        The z of (n, 2) points, which are copied then. (A word is `source_heights`.)
     constraints : geometry, (k, 2) or (k, 3) array of real numbers, or sequence of these, optional
         Constraints with points of their own, which follow `points` in the result, in this order: polygons and rings are
         loops, lines are lines, points just points. A geometry is anything with `__geo_interface__` (shapely's,
@@ -128,6 +134,17 @@ def delaunay(
     alpha : float, 0 or more, default 0.0
         The largest circumradius in space, in the unit of the points; 0: no limit. See `lines` and `vertices` of the
         result.
+    maximum_error : float, 0 or more, default 0.0
+        Leave out points as long as the surface differs at none of them by more than this, vertically (in a fitted
+        plane: along its normal), in the unit of z. Corners of the convex hull and points of constraints stay. Not with
+        `insertion_limit`, `alpha` or the mean of `duplicates`. 0: all points.
+    maximum_vertices : int, 0 or more, default 0
+        The best surface of at most so many points: those are left out without which it differs least from all. With
+        `maximum_error`, too, it ends at whichever comes first. Points that stay in any case are never too many. 0: no
+        limit.
+    second_pass : bool, default False
+        With `maximum_error` or `maximum_vertices`: at the end take points out again as long as the error stays within
+        the bound. It takes longer, and leaves 5 to 20 % fewer.
     rim : {'automatic', 'convex_hull', 'trimmed'}, default 'automatic'
         Where the surface ends without loops. 'trimmed': without the flat triangles (an angle above 158.2 degrees) along
         the hull. 'automatic': the convex hull in the plane 'xy', and in the best-fitting one if all points have the

@@ -12,6 +12,7 @@ import numpy as np
 from . import _library as library
 from ._geometry import HasGeometry, ring_of
 from ._held import anchor
+from ._interface import SAY_REFUSAL, WORDS_OF_NUMPY, say
 from ._keywords import KEYWORDS
 from ._names import value_of
 from ._raster import has_mask, real_numbers, table_of
@@ -141,6 +142,18 @@ def points_of(name: str, given: Any) -> np.ndarray:
         raise TypeError("%s must be real numbers, not of type %s" % (name, points.dtype))
     isReady = points.dtype in _FLOATS and points.flags.aligned  # which are of the machine's byte order
     return points if isReady else np.array(points, np.float64)
+
+
+def with_heights(points: Any, heights: Any) -> np.ndarray:
+    """(n, 3): points with a z each. A copy."""
+    places = points_of("points", points)
+    if places.shape[1] != 2:
+        raise ValueError("heights are the z of points of shape (n, 2), not %s: give points[:, :2]" % (places.shape,))
+    z = real_numbers("heights", heights)
+    if z.shape != (len(places),):
+        raise ValueError("heights must have one number for each of %d points, not the shape %s" % (
+            len(places), z.shape))  # fmt: skip
+    return np.column_stack((places, z))
 
 
 def skip_of(given: Any, count: int) -> np.ndarray:
@@ -282,6 +295,16 @@ def _is_shown(array: np.ndarray, given: Any) -> bool:
     return not isinstance(given, (list, tuple))
 
 
+def _refuse_conflict(settings: Mapping[str, Any]) -> None:
+    """ValueError for settings that exclude a simplified surface."""
+    facts = {"conflict_with_limit": settings["insertion_limit"] > 0, "conflict_with_alpha": settings["alpha"] > 0,
+             "conflict_with_mean": settings["duplicates"] == library.DUPLICATES_MEAN_Z}  # fmt: skip
+    found = [name for name, holds in facts.items() if holds]
+    if found and (settings["maximum_error"] or settings["maximum_vertices"]):
+        (text,) = say(SAY_REFUSAL, WORDS_OF_NUMPY, {"conflict": 1, found[0]: 1}).values()
+        raise ValueError(text)
+
+
 class Request:
     """Settings and arrays of a job. Never changes once it is made, but for the numbers in arrays that are the caller's:
     `fingerprint` tells whether they did."""
@@ -301,6 +324,7 @@ class Request:
         if not isinstance(clip, str):
             self.arrays["voronoi_polygon"] = polygon_of("voronoi_clip", clip)
             self.settings["voronoi_clip"] = library.CLIP_POLYGON
+        _refuse_conflict(self.settings)
         self._shared: Dict[str, Any] = {}  # those in memory of the caller's: what keeps it where it is
         self._described: Dict[str, library.Array] = {}  # how they lie in memory
         self.projection: Optional[Callable[[np.ndarray], None]] = None
@@ -330,6 +354,20 @@ class Request:
     def __getstate__(self) -> Dict[str, Any]:
         """A copy has memory of its own; its numbers are compared all the same."""
         return {**self.__dict__, "_shared": dict.fromkeys(self._shared), "_described": {}}
+
+    def changed(self, given: Mapping[str, Any], **arrays: np.ndarray) -> Request:
+        """The same with these keywords and arrays of its own; other points are in the plane. Nothing is copied."""
+        made = object.__new__(Request)
+        made.__dict__.update(self.__dict__)
+        made.settings = {**self.settings, **{KEYWORDS[name].setting: _converted(name, given[name]) for name in given}}
+        _refuse_conflict(made.settings)
+        made.arrays = {**self.arrays, **arrays}
+        made._shared = {name: whose for name, whose in self._shared.items() if name not in arrays}
+        made._described = {}
+        if "points" in arrays:
+            made.settings["plane"], made.projection = library.PLANE_XY, None
+            made.arrays.pop("matrix", None)
+        return made
 
     def fingerprint(self) -> Fingerprint:
         """Of all arrays that the caller can change."""

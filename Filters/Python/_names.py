@@ -39,7 +39,9 @@ def by_any_name(positional: str = "") -> Callable[[Function], Function]:
 
     def decorate(function: Function) -> Function:
         signature = inspect.signature(function)
-        others = {pair[1 - k]: pair[k] for pair in KEYWORDS for k in range(2) if pair[k] in signature.parameters}
+        has = signature.parameters
+        pairs = (pair[::step] for pair in KEYWORDS for step in (1, -1))
+        others = {other: name for name, other in pairs if name in has and other not in has}
 
         names = frozenset(others)
 

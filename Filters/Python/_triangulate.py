@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _library as library
 from ._geometry import constraints_of
-from ._input import Request, points_of
+from ._input import DEFAULTS, Request, points_of, with_heights
 from ._keywords import WANTED
 from ._triangulation import Triangulation
 from ._warnings import tell, warn
@@ -36,6 +36,16 @@ def _constrained(
     return made.source(isInSpace), {"lines": made.lines, "loops": made.loops}, settings
 
 
+def _with_heights(points: Any, heights: Any, settings: Dict[str, Any]) -> Any:
+    """The points; heights that are a word go to the settings."""
+    if not isinstance(heights, str):
+        return points if heights is None else with_heights(points, heights)
+    if settings["source_heights"] != DEFAULTS["source_heights"]:
+        raise TypeError("delaunay() got source_heights and heights, which are two names for one argument")
+    settings["source_heights"] = heights
+    return points
+
+
 def triangulate(settings: Dict[str, Any]) -> Triangulation:
     """`delaunay` of all its arguments by name; is left those that are one number or word each."""
     points, constraints, source_points, skip, plane, id_dtype, want, progress = map(settings.pop, _OTHERS)
@@ -49,6 +59,7 @@ def triangulate(settings: Dict[str, Any]) -> Triangulation:
             raise ValueError("want: %r is not one of %s" % (name, ", ".join(map(repr, WANTED))))
     if progress is not None and not callable(progress):
         raise TypeError("progress must be a function, not %r" % (progress,))
+    points = _with_heights(points, settings.pop("heights"), settings)
     if constraints is not None:
         points = points_of("points", points)
         given = {**chains, "source_points": source_points}

@@ -12,10 +12,10 @@ import numpy as np
 from . import _library as library
 from ._input import CHOICES, DEFAULTS, Corners, Request, polygon_of
 from ._made import frozen
-from ._outlined import Outlined
 from ._picture import svg
 from ._results import Adjacency, Boxes, Location, Outline, Voronoi, chained
 from ._raster import real_numbers, unmasked, xy_of
+from ._simplified import Simplified
 
 
 _TRIANGLES = library.names(library.COUNTS).index("triangles")
@@ -48,7 +48,7 @@ _NAMES_OF_SCIPY = {
 }
 
 
-class Triangulation(Outlined):
+class Triangulation(Simplified):
     """A Delaunay triangulation, made by `delaunay`. It never changes; its arrays are read-only.
 
     Ids are rows of `points`. All results depend on the points, constraints and settings alone, the same to the byte
@@ -155,7 +155,7 @@ class Triangulation(Outlined):
     def point_status(self) -> np.ndarray:
         """(n,) int: the status of each point. Its own id: it is a vertex. Another id: the vertex that represents it, a
         duplicate or merged point. -1: rejected, x or y is NaN or infinite. -2: not inserted (skipped, or beyond
-        insertion_limit)."""
+        insertion_limit). -3: left out within maximum_error, or for maximum_vertices."""
         return self._array("point_status")
 
     @property
@@ -414,13 +414,14 @@ class Triangulation(Outlined):
     @property
     def counts(self) -> Mapping[str, int]:
         """Counts by name: points, inserted, duplicates, not_finite, skipped, merged_points, beyond_limit,
-        added_points, triangles, constraint_edges, segments_crossing, unfilled_loops, ...; the C interface
+        within_error, added_points, triangles, constraint_edges, segments_crossing, unfilled_loops, ...; the C interface
         (``Filters/Engine/Interface/ahd.h``) describes all."""
         return MappingProxyType(self._counts)
 
     @property
     def measures(self) -> Mapping[str, float]:
-        """Measures by name: np and nr (-1 without count_work), trimmed_area, the seconds of each phase."""
+        """Measures by name: np and nr (-1 without count_work), trimmed_area, largest_error, the seconds of each
+        phase."""
         return MappingProxyType(self._measures)
 
     # --- as an object ---
@@ -442,8 +443,8 @@ class Triangulation(Outlined):
         """A small picture, for notebooks, and what became of the points."""
         words = [repr(self)[1:-1]]
         words += ["%s: %d" % (name.replace("_", " "), self._counts[name]) for name in (
-            "source_points", "constraint_edges", "segments_crossing", "duplicates", "not_finite", "skipped")
-            if self._counts[name]]  # fmt: skip
+            "source_points", "constraint_edges", "segments_crossing", "duplicates", "not_finite", "skipped",
+            "within_error") if self._counts[name]]  # fmt: skip
         isPlain = self._request.settings["plane"] == library.PLANE_XY
         picture = svg(self.triangles, self.points if isPlain else self.plane_points)
         return "<div>%s<br>%s</div>" % (picture, "; ".join(words))

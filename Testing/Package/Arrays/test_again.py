@@ -19,6 +19,7 @@ OTHERS = ("memory_limit", "other_memory", "other_memory_per_point", "want_sample
 # Values to draw from, where these say more than all of a choice, or the default and a fifth.
 BETTER = {
     "plane": (0, 0, 1, 2), "bounding": (0, 0, 1), "nmax": (1, 7, 50), "insertion_limit": (0, 0, 40),
+    "maximum_vertices": (0, 0, 40), "maximum_error": (0.0, 0.0, 0.2),
     "tolerance": (0.0, 0.0, 0.02), "unfitted_points": (0, 0, 5, 1 << 40), "skip_mask": (255, 2), "first_cell": (0, 7),
     "offset": (1.0, 3.0),
 }  # fmt: skip

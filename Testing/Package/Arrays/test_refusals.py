@@ -21,8 +21,8 @@ import test_geometry
 import test_input
 
 FILE = pathlib.Path(__file__).with_name("Refusals.json")
-MODULES = ("_geometry.py", "_input.py", "_interpolators.py", "_names.py", "_raster.py", "_sampling.py", "_spatial.py",
-           "_triangulate.py", "_triangulation.py", "scipy.py")  # fmt: skip
+MODULES = ("_geometry.py", "_input.py", "_interpolators.py", "_names.py", "_raster.py", "_sampling.py",
+           "_simplified.py", "_spatial.py", "_triangulate.py", "_triangulation.py", "scipy.py")  # fmt: skip
 # Exceptions that are caught again, with other texts.
 INSIDE = (" is not a number", '"voronoi_polygon"')
 NOT_MUST = re.compile("(is|are|has|have) to (be|have) ")
@@ -111,6 +111,24 @@ CALLS = {
     "constraints of both kinds": lambda: delaunay(SQUARE, constraints=SQUARE[:3], loops=[0, 1, 2]),
     "x and y": lambda: delaunay(SQUARE[:, 0], SQUARE[:, 1]),
     "both names": lambda: delaunay(SQUARE, tol=0, tolerance=0),
+    "heights of points in space": lambda: delaunay(np.zeros((6, 3)), heights=VALUES),
+    "too few heights": lambda: delaunay(SQUARE, heights=VALUES[:5]),
+    "heights of text": lambda: delaunay(SQUARE, heights=["a"] * 6),
+    "heights by two names": lambda: delaunay(SQUARE, heights="own", source_heights="surface"),
+    "simplified and a limit": lambda: delaunay(SQUARE, maximum_error=1, insertion_limit=3),
+    "simplified and alpha": lambda: delaunay(SQUARE, alpha=1).simplify(maximum_vertices=5),
+    "simplified and means": lambda: delaunay(SQUARE, maximum_error=1, duplicates="mean_z"),
+    "simplify to nothing": lambda: MADE.simplify(),
+    "simplify to NaN": lambda: MADE.simplify(np.nan),
+    "simplify to infinity": lambda: MADE.simplify(np.inf),
+    "simplify to less than nothing": lambda: MADE.simplify(-1.0),
+    "simplify to text": lambda: MADE.simplify("1"),
+    "simplify to parts of a vertex": lambda: MADE.simplify(maximum_vertices=1.5),
+    "simplify too few values": lambda: MADE.simplify(1, values=VALUES[:5]),
+    "simplify values of text": lambda: MADE.simplify(1, values=["a"] * 6),
+    "simplify masked values": lambda: MADE.simplify(1, values=MASKED[:, 0]),
+    "simplify values with a source": lambda: WITH_SOURCE.simplify(1, values=np.arange(8.0)[:6]),
+    "simplify values of the lowest": lambda: delaunay(cloud(1, 6, 3), duplicates="lowest_z").simplify(1, values=VALUES),
     "a masked skip": lambda: delaunay(SQUARE, skip=np.ma.masked_equal(np.zeros(6, bool), False)),
 }
 for k, (_, given, _) in enumerate(test_geometry.WRONG):

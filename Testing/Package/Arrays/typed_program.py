@@ -31,7 +31,9 @@ def triangulated(points: np.ndarray) -> Triangulation:
         progress=told if points.size < 0 else None,
     )  # fmt: skip
     delaunay(points, plane=np.eye(4), want="regions", skip=np.zeros(len(points), bool))
-    delaunay(points, plane=lambda xyz: xyz, constraints=[(0.2, 0.2), (0.8, 0.2), (0.5, 0.9)])
+    light: Triangulation = delaunay(points, heights=points[:, 0], maximum_error=0.1, second_pass=True)
+    light = made.simplify(maximum_vertices=100).simplify(0.1, values=points[:, 1])
+    delaunay(light.points, plane=lambda xyz: xyz, constraints=[(0.2, 0.2), (0.8, 0.2), (0.5, 0.9)])
     return made
 
 
