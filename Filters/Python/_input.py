@@ -295,14 +295,16 @@ def _is_shown(array: np.ndarray, given: Any) -> bool:
     return not isinstance(given, (list, tuple))
 
 
-def _refuse_conflict(settings: Mapping[str, Any]) -> None:
-    """ValueError for settings that exclude a simplified surface."""
-    facts = {"conflict_with_limit": settings["insertion_limit"] > 0, "conflict_with_alpha": settings["alpha"] > 0,
-             "conflict_with_mean": settings["duplicates"] == library.DUPLICATES_MEAN_Z}  # fmt: skip
-    found = [name for name, holds in facts.items() if holds]
-    if found and (settings["maximum_error"] or settings["maximum_vertices"]):
+def refuse_conflict(limit: Any, alpha: Any, duplicates: Any, *simplified: Any) -> None:
+    """ValueError for settings that exclude a simplified surface: that of the others, if one is not 0."""
+    facts = {"limit": limit, "alpha": alpha, "mean": duplicates == library.DUPLICATES_MEAN_Z}
+    found = ["conflict_with_" + name for name, holds in facts.items() if holds]
+    if found and any(simplified):
         (text,) = say(SAY_REFUSAL, WORDS_OF_NUMPY, {"conflict": 1, found[0]: 1}).values()
         raise ValueError(text)
+
+
+_CONFLICT = ("insertion_limit", "alpha", "duplicates", "maximum_error", "maximum_vertices")
 
 
 class Request:
@@ -324,7 +326,7 @@ class Request:
         if not isinstance(clip, str):
             self.arrays["voronoi_polygon"] = polygon_of("voronoi_clip", clip)
             self.settings["voronoi_clip"] = library.CLIP_POLYGON
-        _refuse_conflict(self.settings)
+        refuse_conflict(*map(self.settings.get, _CONFLICT))
         self._shared: Dict[str, Any] = {}  # those in memory of the caller's: what keeps it where it is
         self._described: Dict[str, library.Array] = {}  # how they lie in memory
         self.projection: Optional[Callable[[np.ndarray], None]] = None
@@ -360,7 +362,7 @@ class Request:
         made = object.__new__(Request)
         made.__dict__.update(self.__dict__)
         made.settings = {**self.settings, **{KEYWORDS[name].setting: _converted(name, given[name]) for name in given}}
-        _refuse_conflict(made.settings)
+        refuse_conflict(*map(made.settings.get, _CONFLICT))
         made.arrays = {**self.arrays, **arrays}
         made._shared = {name: whose for name, whose in self._shared.items() if name not in arrays}
         made._described = {}

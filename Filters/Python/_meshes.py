@@ -12,16 +12,17 @@ import pyvista
 
 from . import _raster, _vtk
 from ._geometry import constraints_of
-from ._input import PLANES, bytes_of, chosen_plane, polygon_of, real_of
+from ._input import PLANES, bytes_of, chosen_plane, polygon_of, real_of, refuse_conflict
 from ._interface import (
     HEIGHTS_FROM_SURFACE, HEIGHTS_MIXED, HEIGHTS_OWN, PLANE_BEST_FIT, SAY_TRIANGULATION, WORDS_OF_CLASS, WORDS_OF_NUMPY,
     say, threads_told)
 from ._keywords import MESH_KEYWORDS
 from ._names import value_of
 from ._sampling import METHODS, OUTSIDE
-from ._vtk.arrays import coordinates, ghost_marks
+from ._vtk.arrays import coordinates, ghost_marks, id_list, remove_arrays_of_one_name
 from ._vtk.blocks import Blocks
 from ._vtk.execution import SKIPPED, threads_to_use
+from ._vtk.outputs import IDS_NAME
 from ._vtk.table import ARRAY_KEYWORDS
 from ._warnings import tell
 
@@ -211,6 +212,25 @@ def _taken(output):
     return made
 
 
+def _of_its_triangles(made, error):
+    """Only the points of the triangles, with their ids; and the largest error, as field data."""
+    ids, corners = numpy.unique(made.faces.reshape(-1, 4)[:, 1:], return_inverse=True)
+    light = pyvista.PolyData(made.points[ids], faces=numpy.insert(corners.reshape(-1, 3), 0, 3, axis=1).ravel())
+    vtk, given, data = _vtk.Backend(_vtk.package_of(made)), made.GetPointData(), light.GetPointData()
+    remove_arrays_of_one_name(given)
+    for i in range(given.GetNumberOfArrays() - 1, -1, -1):
+        if given.GetAbstractArray(i).GetNumberOfTuples() < made.n_points:
+            given.RemoveArray(i)
+    data.CopyAllOn()
+    data.CopyAllocate(given, len(ids))
+    data.CopyData(given, id_list(vtk, ids), id_list(vtk, numpy.arange(len(ids))))
+    light.GetCellData().ShallowCopy(made.GetCellData())
+    light.GetFieldData().ShallowCopy(made.GetFieldData())
+    light.point_data.set_array(ids, IDS_NAME)
+    light.field_data.set_array([error], "LargestError")
+    return light
+
+
 def _into(mesh, made, inplace):
     if not inplace:
         return made
@@ -223,10 +243,15 @@ def delaunay_2d(mesh: Any, inplace: Any, edge_source: Any, progress_bar: Any, co
     if inplace and not isinstance(mesh, pyvista.PolyData):
         raise TypeError("inplace: a pyvista.PolyData can be overwritten, not %s" % type(mesh).__name__)
     algorithm, messages = _make_filter(mesh, plane, memory_limit, settings)
+    simplified = algorithm.GetMaximumError(), algorithm.GetMaximumNumberOfVertices()
+    refuse_conflict(0, algorithm.GetAlpha(), algorithm.GetDuplicatePolicy(), *simplified)
     _set(algorithm, **_arrays_to_add(arrays))
     _constrain(algorithm, 1, algorithm, edge_source, constraints, mesh)
     _run(algorithm, messages, progress_bar, "Computing 2D Triangulation")
-    return _into(mesh, _taken(algorithm.GetOutput()), inplace)
+    made = _taken(algorithm.GetOutput())
+    if any(simplified) and not algorithm.GetGeneratePointStatus():
+        made = _of_its_triangles(made, algorithm.GetLargestError())
+    return _into(mesh, made, inplace)
 
 
 def voronoi_2d(

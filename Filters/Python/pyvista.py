@@ -131,8 +131,9 @@ def delaunay_2d(
     maximum_error : float, 0 or more, default 0.0
         Leave out points as long as the surface differs at none of them by more than this, vertically (in a fitted
         plane: along its normal), in the unit of z. Corners of the convex hull and points of constraints stay. The
-        result has only the points that are left, with their ids as point data "OriginalPointIds", and the field data
-        "LargestError". Not with `alpha` or the mean of `duplicates`. 0: all points.
+        result has only the points of its triangles, with their ids as point data "OriginalPointIds", and the field data
+        "LargestError"; with 'status' among `arrays` all points. Not with `alpha` or the mean of `duplicates`. 0: all
+        points.
     maximum_vertices : int, 0 or more, default 0
         The best surface of at most so many points: those are left out without which it differs least from all. With
         `maximum_error`, too, it ends at whichever comes first. Points that stay in any case are never too many. 0: no
