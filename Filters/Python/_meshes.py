@@ -249,7 +249,7 @@ def delaunay_2d(mesh: Any, inplace: Any, edge_source: Any, progress_bar: Any, co
     _constrain(algorithm, 1, algorithm, edge_source, constraints, mesh)
     _run(algorithm, messages, progress_bar, "Computing 2D Triangulation")
     made = _taken(algorithm.GetOutput())
-    if any(simplified) and not algorithm.GetGeneratePointStatus():
+    if any(simplified) and made.n_cells and not algorithm.GetGeneratePointStatus():
         made = _of_its_triangles(made, algorithm.GetLargestError())
     return _into(mesh, made, inplace)
 

@@ -59,7 +59,7 @@ def error_text(status, job, more):
         return None
     if status == engine.BAD_ARRAY:
         return not_computed(more.replace('"voronoi_polygon"', "VoronoiPolygon"))
-    if status > engine.TOO_MANY_CROSSINGS:
+    if status > engine.TOO_MANY_CROSSINGS and status != engine.BAD_VALUE:  # that of settings that exclude each other
         return "%s. The output is empty." % more
     return said(engine.SAY_REFUSAL, {"reason": status}, job)[0]
 
