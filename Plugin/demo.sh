@@ -32,6 +32,8 @@ options
   --x NAME --y NAME --z NAME   the columns, by name or by number from 1 (--z none: a flat set)
   --columns X,Y,Z              the same in one option, for example --columns lon,lat,depth or 2,3,5
   --nodata NUMBER              leave out points whose z is this number, such as -9999 (tables and lidar)
+  --simplify ERROR             leave out points as long as the surface differs at none of them by more than this, in the
+                               unit of z; the surface has the others, and their numbers from 0 as "Fate"
   --exaggeration FACTOR        the vertical exaggeration of the picture (default: chosen and reported)
   --edges                      draw the triangles' edges
   --raster CELL                write the heights on a raster, too, with cells of this size in the unit of x and y
@@ -69,7 +71,7 @@ while [ $# -gt 0 ]; do
     -h | --help) help && exit 0 ;;
     --output) [ $# -gt 1 ] || fail 2 "--output needs a folder" && output=$2 && shift ;;
     --output=*) output=${1#*=} ;;
-    --x | --y | --z | --columns | --exaggeration | --nodata | --raster | --method | --crs)
+    --x | --y | --z | --columns | --exaggeration | --nodata | --simplify | --raster | --method | --crs)
       [ $# -gt 1 ] || fail 2 "$1 needs a value; --help lists the options"
       arguments+=("$1=$2") && shift
       ;;

@@ -44,6 +44,7 @@ def parse_arguments(words):
     parser.add_argument("--exaggeration", type=float, metavar="FACTOR")
     parser.add_argument("--edges", action="store_true")
     parser.add_argument("--nodata", type=float, metavar="NUMBER")
+    parser.add_argument("--simplify", type=float, metavar="ERROR", default=0.0)
     raster.add_options(parser)
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--plugin", metavar="FILE")
@@ -59,6 +60,8 @@ def parse_arguments(words):
     chosen.columns = tuple(columns)
     if chosen.exaggeration is not None and not (chosen.exaggeration > 0 and math.isfinite(chosen.exaggeration)):
         parser.error("--exaggeration must be greater than 0 and finite")
+    if not (chosen.simplify >= 0 and math.isfinite(chosen.simplify)):
+        parser.error("--simplify must be 0 or more and finite")
     raster.check(chosen, parser)
     check_file(chosen)
     check_output(chosen)
@@ -166,9 +169,9 @@ def producer(data):
     return source
 
 
-def triangulate(source, plugin):
-    """The filter's proxy after a timed run, its surface, and NP and NR counted in a second run:
-    counting takes time that is not the filter's."""
+def triangulate(source, plugin, error):
+    """The filter's proxy after a timed run, its surface within an error of all points (0: of all), and NP and NR counted
+    in a second run: counting takes time that is not the filter's."""
     # before the filter exists, so that Python knows its class
     from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D
     from paraview import servermanager, simple
@@ -176,17 +179,20 @@ def triangulate(source, plugin):
 
     if not hasattr(simple, "AdaptiveHilbertDelaunay2D"):
         simple.LoadPlugin(plugin, remote=False)
-    proxy = simple.AdaptiveHilbertDelaunay2D(Input=source)
+    proxy = simple.AdaptiveHilbertDelaunay2D(Input=source, MaximumError=error, GeneratePointStatus=int(error > 0))
     proxy.UpdatePipeline()
     engine = proxy.GetClientSideObject()
     assert isinstance(engine, vtkAdaptiveHilbertDelaunay2D)
     measures = {name: getattr(engine, "Get" + name)() for name in (
         "NumberOfPointsInserted", "NumberOfDuplicates", "NumberOfRejectedPoints",
-        "NumberOfSkippedPoints", "NumberOfTriangles", "SortSeconds", "InsertSeconds", "OutputSeconds")}
+        "NumberOfSkippedPoints", "NumberOfPointsWithinError", "LargestError", "NumberOfTriangles", "SortSeconds", "InsertSeconds", "OutputSeconds")}
+    if error > 0:  # its points alone; Fate has their ids
+        proxy = simple.Clean(Input=proxy, PointMerging=0)
     surface = servermanager.Fetch(proxy)
     # without a proxy: ParaView switches warnings on for as long as it updates one
     counter = vtkAdaptiveHilbertDelaunay2D()
     counter.SetInputData(source.GetClientSideObject().GetOutputDataObject(0))
+    counter.SetMaximumError(error)
     counter.CountWorkOn()
     vtkObject.GlobalWarningDisplayOff()  # the first run has said it all
     counter.Update()
@@ -209,6 +215,9 @@ def report(points, measures):
     ]
     if measures["NumberOfSkippedPoints"]:
         lines.insert(4, ("skipped", thousands(measures["NumberOfSkippedPoints"]) + " (ghost or hidden)"))
+    if measures["NumberOfPointsWithinError"]:
+        lines.insert(1, ("left out", "%s (the surface differs from them by %.6g at most)" % (
+            thousands(measures["NumberOfPointsWithinError"]), measures["LargestError"])))  # fmt: skip
     if points.bad_rows:
         lines.insert(1, ("unreadable", thousands(points.bad_rows) + " (not among the points)"))
     for name, value in lines:
@@ -254,7 +263,7 @@ def run(chosen):
     for note in points.notes + nodata.notes(points) + few:
         print("  " + note)
     print("Triangulating", flush=True)
-    proxy, surface, measures = triangulate(source, chosen.plugin)
+    proxy, surface, measures = triangulate(source, chosen.plugin, chosen.simplify)
     report(points, measures)
     vtp, png, *rasters = results(chosen)
     own = folder(chosen)

@@ -54,7 +54,7 @@ class Command(unittest.TestCase):
         with open(os.path.join(ROOT, "Plugin", "Demo", "raster.py"), encoding="utf-8") as file:
             source += file.read()
         said = run("Plugin/demo.sh", "--help").stdout
-        for option in ("--x", "--y", "--z", "--columns", "--exaggeration", "--nodata", "--edges", "--raster",
+        for option in ("--x", "--y", "--z", "--columns", "--exaggeration", "--nodata", "--simplify", "--edges", "--raster",
                        "--method", "--crs", "--output"):
             self.assertIn(option, said)
             self.assertIn(option if len(option) > 3 else '"--" + axis', source)
@@ -100,6 +100,7 @@ class Command(unittest.TestCase):
         self.assert_refused("--crs takes a code such as EPSG:32633, not 32633", "--raster=1", "--crs", "32633")
         self.assert_refused("--crs takes a code such as EPSG:32633, not ", "--raster=1", "--crs=")
         self.assert_refused("%s is a directory, not a file" % ROOT, ROOT)
+        self.assert_refused("--simplify must be 0 or more and finite", "--simplify", "nan")
         self.assert_refused("invalid float value: 'much'", "--exaggeration", "much")
         self.assert_refused("--columns and --x, --y, --z exclude each other", "--columns", "1,2", "--x", "3")
         self.assert_refused("two or three names or numbers", "--columns", "1,2,3,4")

@@ -171,6 +171,20 @@ class WholeRuns(InFolder):
         self.assertRegex(said, r"seconds +\d+\.\d{3} = \d+\.\d{3} sort \+ \d+\.\d{3} insert \+ \d+\.\d{3} output")
         self.assert_picture("square.png")
 
+    def test_simplified(self):
+        """The surface has the points that are left, and says which they were."""
+        said = self.run_demo("--simplify", "20")
+        sample = numpy.loadtxt(os.path.join(ROOT, "Data", "survey.csv"), delimiter=",", skiprows=1)
+        surface = self.surface("survey.vtp")
+        ids = vtk_to_numpy(surface.GetPointData().GetArray("Fate"))
+        numpy.testing.assert_array_equal(vtk_to_numpy(surface.GetPoints().GetData()), sample[ids])
+        self.assertLess(len(ids), len(sample) / 2)
+        told = r"left out +([\d ,]+) \(the surface differs from them by ([\d.]+) at most\)"
+        out, largest = re.search(told, said).groups()
+        self.assertGreater(int(re.sub(r"\D", "", out)), len(sample) / 2)
+        self.assertTrue(19 < float(largest) <= 20, largest)
+        self.assert_picture("survey.png")
+
     def test_a_table_with_text_in_it(self):
         """As a spreadsheet saves it: names, a row of units, remarks, gaps as words, a foot."""
         rows = ["station;lat;lon;depth;remark", "-;deg;deg;m;-"]

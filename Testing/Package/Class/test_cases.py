@@ -16,7 +16,8 @@ FILE = FOLDER / "Cases.json"
 # Counts are in the field data, too: these rows are to be read.
 COUNTS = (
     "NumberOfPointsInserted", "NumberOfDuplicates", "NumberOfRejectedPoints", "NumberOfSkippedPoints",
-    "NumberOfPointsBeyondLimit", "NumberOfPointsWithinError", "NumberOfTriangles", "NumberOfMergedPoints", "NumberOfAddedPoints",
+    "NumberOfPointsBeyondLimit", "NumberOfPointsWithinError", "NumberOfTriangles", "NumberOfMergedPoints",
+    "NumberOfAddedPoints",
     "NumberOfConstraintEdges", "NumberOfCrossings", "NumberOfConstraintsLeftOut", "NumberOfUnfilledLoops",
     "NumberOfTrimmedTriangles", "NumberOfTriangulations")
 MEANS = tuple(name for name, row in TABLE["delaunay"]["measures"].items()
