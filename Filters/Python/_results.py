@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from enum import IntEnum
 from typing import Any, Dict, Iterable, Iterator, List, NamedTuple, Tuple, Union
@@ -180,8 +181,8 @@ class Contours:
     @property
     def __geo_interface__(self) -> Dict[str, Any]:
         """A FeatureCollection of GeoJSON: MultiLineStrings with the property "level", or MultiPolygons with "lower" and
-        "upper"."""
-        levels = self.levels.tolist()
+        "upper". An infinite level is None, as JSON has no number for it."""
+        levels = [level if math.isfinite(level) else None for level in self.levels.tolist()]
         isFilled = len(self.shapes) < len(levels)
         properties = (
             [{"lower": lower, "upper": upper} for lower, upper in zip(levels, levels[1:])] if isFilled else

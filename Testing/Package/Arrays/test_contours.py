@@ -2,6 +2,7 @@
 """Triangulation.contours() by its definition, in fractions; alpha_shape() is what delaunay(alpha=...) leaves; Voronoi
 cells as GeoJSON."""
 
+import json
 import tracemalloc
 import unittest
 import unittest.mock
@@ -248,7 +249,8 @@ class ContoursTest(KeywordTest):
         self.assertEqual([len(one["geometry"]["coordinates"]) for one in lines["features"]], [1, 0])
         bands = made.contours([0, 4, 4, 0], [-np.inf, 1, 4], filled=True)
         first, second = bands.__geo_interface__["features"]
-        self.assertEqual(first["properties"], {"lower": -np.inf, "upper": 1.0})
+        self.assertEqual(first["properties"], {"lower": None, "upper": 1.0})
+        self.assertIn('{"lower": null, "upper": 1.0}', json.dumps(bands.__geo_interface__, allow_nan=False))
         self.assertEqual(second["geometry"], bands[1].__geo_interface__)
         self.assertEqual(second["geometry"]["type"], "MultiPolygon")
         ring = second["geometry"]["coordinates"][0][0]
