@@ -53,8 +53,8 @@ const std::map<std::string, Names>& allowedParts()
       { "Points", "Order", "Predicates", "Mesh", "Constrain", "Extract", "Prepare", "Sample",
         "Triangulation", "" } },
     { "Job",
-      { "Points", "Order", "Merge", "Crossings", "Edit", "Outline", "Prepare", "Sample", "Simplify",
-        "Surface", "Triangulation", "Voronoi", "" } },
+      { "Points", "Order", "Merge", "Crossings", "Edit", "Outline", "Prepare", "Refine", "Sample",
+        "Simplify", "Surface", "Triangulation", "Voronoi", "" } },
     { "Interface", { "Job" } },
   };
   return kAllowed;

@@ -5,6 +5,7 @@
 #include "../Core/Processors.h"
 #include "../Core/Threads.h"
 #include "../Edit/Edit.h"
+#include "../Refine/Refine.h"
 #include "InputArrays.h"
 #include "OutlineRun.h"
 #include "Progress.h"
@@ -35,6 +36,7 @@ struct JobResult : RunResult
   Plane fitted;                     ///< with a surface
   std::vector<std::int32_t> cellOf; ///< of each triangle, or -1; made when first wanted
   JobSampling sampling;
+  std::unique_ptr<Refinement> refined; ///< null before refine()
 
   std::size_t cellCount() const { return ahd::cellCount(triangulation, selection); }
   /// The points in space; `made` holds them if they are not the input's. Refuses if
@@ -87,6 +89,11 @@ public:
   /// result; `more` points may come, else 0. Refuses unless Ok.
   void editWith(std::uint64_t more, const std::function<Status(Edit&, const Context&)>& work);
   const Edit& edited();
+
+  /// Refines the result, which keeps it. Refuses what findRefineFault() finds, and more.
+  const Refinement& refine(const RefineRequest& request);
+  /// Refuses if there is none.
+  const Refinement& refined();
 
   /// Refuses if there is none.
   JobResult& result();

@@ -83,6 +83,7 @@ int main(int argc, char** argv)
     test_given_surface();
     test_outline();
     test_edit();
+    test_refine();
     test_messages();
     test_unchanged();
     test_at_once();

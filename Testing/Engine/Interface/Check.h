@@ -75,6 +75,7 @@ void test_sample(void);
 void test_given_surface(void);
 void test_outline(void);
 void test_edit(void);
+void test_refine(void);
 void test_messages(void);
 void test_trouble(void);
 void test_unchanged(void);
