@@ -163,8 +163,8 @@ class Edit:
         has an id, and no vertex."""
         xy, z = self._points(points)
         first = ctypes.c_int64()
-        self._call("ahd_edit_insert", 0, None, 0, first)
         if self._columns == 3:  # before they are there: those of a call that fails are written over
+            self._call("ahd_edit_insert", 0, None, 0, first)
             end = first.value + len(z)
             if end > len(self._z):
                 self._z = np.concatenate((self._z, np.zeros(max(end, 2 * len(self._z)) - len(self._z))))
