@@ -32,6 +32,7 @@ ProgressFunction = Callable[[int, float], Any]
 ProjectionFunction = Callable[[np.ndarray], Any]
 Number = Union[int, float]
 FEW = 256  #: points or places: work on so many mostly ends within 0.1 ms, on the worst in 50
+FEW_NUMBERS = 16 * FEW  #: of results, written in such a time
 FEW_BYTES = 1 << 20  #: without a limit, results of so many need not be counted before there is memory for them
 NO_MASK = np.empty(0, np.uint8)
 
@@ -97,6 +98,7 @@ class Job:
     def _hear(self, wanted: Optional[float]) -> None:
         """Of progress, after so many seconds. Callbacks take the GIL."""
         if wanted != self._hears:
+            self._hears = -1.0  # if this is interrupted
             function = NO_PROGRESS if wanted is None else PROGRESS
             self._check(Held.ahd_set_progress(self._handle, function, self._handle))
             self._check(Held.ahd_set_double(self._handle, b"progress_delay", wanted or 0.0))
@@ -293,7 +295,8 @@ class Job:
             raise BadInput("%s: cannot be written into this array of type %s" % (name, out.dtype.str), BAD_ARRAY)
         _check_writeable(name, out)
         given = name.encode(), number, address_of(out), out.size
-        self._call("ahd_get_array", *given, arrays=(out,), isBrief=not self._long)
+        isBrief = not self._long and out.size <= FEW_NUMBERS
+        self._call("ahd_get_array", *given, arrays=(out,), isBrief=isBrief)
         return out
 
     def draw_order(self, xyz: np.ndarray, ranks: np.ndarray, ids: np.ndarray, levels: np.ndarray, counts: np.ndarray
@@ -386,7 +389,8 @@ class Job:
         numbers = sum(columns)
         self._sample_by(method, outside)
         isReady = self._sampledBy == SAMPLE_LINEAR or not self._long
-        isBrief = count <= FEW and self._how == (SAMPLE_LINEAR, OUTSIDE_NO_VALUE) and isReady
+        isLittle = count <= FEW and count * numbers <= FEW_NUMBERS
+        isBrief = isLittle and self._how == (SAMPLE_LINEAR, OUTSIDE_NO_VALUE) and isReady
 
         def find() -> Samples:
             if make is not None:

@@ -4,7 +4,9 @@
 import signal
 import sys
 import unittest
+import unittest.mock
 
+import numpy as np
 from adaptivehilbertdelaunay import _library as library
 from adaptivehilbertdelaunay import delaunay
 from arraysupport import SQUARE, cloud, in_a_process
@@ -207,6 +209,40 @@ class InterruptTest(unittest.TestCase):
             tried = self.press_everywhere(
                 lambda job, points=points: job.set_array("points", points), lambda job: job.run(), run_again)
             self.assertGreater(tried, least)
+
+    def test_wherever_it_comes_after_a_progress_function(self):
+        """The next one is told."""
+        told = []
+
+        def begin(job):
+            job.set_array("points", SQUARE)
+            job.set_progress(lambda phase, done: told.append(phase))
+            job.run()
+            job.set_progress(None)
+
+        def run_again(job, tried):
+            told.clear()
+            job.set_progress(lambda phase, done: told.append(phase))
+            job.run()
+            self.assertTrue(told, tried)
+
+        self.assertGreater(self.press_everywhere(begin, lambda job: job.run(), run_again), 8)
+
+    def test_few_places_with_many_values(self):
+        """Are work that may take long: it is cancelled, and others go on meanwhile."""
+        made, places = delaunay(SQUARE), cloud(1, library.FEW)
+        with unittest.mock.patch.object(library, "make_call", wraps=library.make_call) as long:
+            made.interpolate(np.ones((len(SQUARE), library.FEW_NUMBERS // library.FEW)), places)
+            self.assertFalse(long.called)
+            made.interpolate(np.ones((len(SQUARE), library.FEW_NUMBERS // library.FEW + 1)), places)
+            self.assertTrue(long.called)
+
+    def test_few_points_with_many_weights(self):
+        made, places = delaunay(SQUARE), np.full((library.FEW_NUMBERS, 2), 0.3)
+        with unittest.mock.patch.object(library, "make_call", wraps=library.make_call) as long:
+            made.weights(places)
+        names = [call.args[2][0] for call in long.call_args_list if call.args[2][0] in (b"weights", b"weight_points")]
+        self.assertEqual(names, [b"weight_points", b"weights"])
 
     def test_few_points_whose_work_is_long(self):
         """Because of their constraints: it is cancelled."""
