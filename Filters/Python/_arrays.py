@@ -235,4 +235,4 @@ def delaunay(
     >>> len(notched.triangles), notched.boundary.shape
     (5, (5, 2))
     """
-    return triangulate(locals())
+    return triangulate({**locals()})
