@@ -153,6 +153,9 @@ def _by_rasterio(rasterio: Any, path: str, bands: np.ndarray, place: Sequence[fl
     ) as made:  # fmt: skip
         for row, band, piece in _pieces(bands, dtype):
             made.write(piece, band, window=((row, row + len(piece)), (0, columns)))
+    with rasterio.open(path) as made:  # which is told of no error while a file is closed, as of a full disk
+        for row, band, piece in _pieces(bands, dtype):
+            made.read(band, window=((row, row + len(piece)), (0, columns)))
 
 
 def _by_gdal(gdal: Any, path: str, bands: np.ndarray, place: Sequence[float], crs: Any) -> None:

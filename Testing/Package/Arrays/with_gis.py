@@ -183,6 +183,23 @@ class RasterTest(KeywordTest):
                 cells.to_geotiff(self.path, self.values())
                 self.assertIsNone(self.read_again()[2]["crs"])
 
+    def test_geotiff_on_a_full_disk(self):
+        """Is told, wherever the room ends: rasterio alone is silent of what fails while a file is closed."""
+        import resource
+
+        self.CELLS.to_geotiff(self.path, self.values())
+        size, limits = os.path.getsize(self.path), resource.getrlimit(resource.RLIMIT_FSIZE)
+        for hidden in ((), ("rasterio",)):
+            for room in (0, 100, size // 2, size - 1):
+                os.remove(self.path)
+                with self.subTest(hidden=hidden, room=room), \
+                        unittest.mock.patch.dict(sys.modules, dict.fromkeys(hidden)):
+                    resource.setrlimit(resource.RLIMIT_FSIZE, (room, limits[1]))
+                    try:
+                        self.assertRaises(OSError, self.CELLS.to_geotiff, self.path, self.values())
+                    finally:
+                        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+
     def read_again(self):
         with unittest.mock.patch.dict(sys.modules):
             for name in [name for name, module in sys.modules.items() if module is None]:
