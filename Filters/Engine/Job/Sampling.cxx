@@ -110,15 +110,16 @@ void Sampling::checkMemory(std::size_t bytes) const
 /// those outside.
 std::vector<double> Sampling::stageWeights() const
 {
-  constexpr double kTables = 2e-7, kTree = 3e-7; // a point
+  constexpr double kMakeTables = 2e-7, kMakeTree = 3e-7; // a point
   const auto points = static_cast<double>(made_.points.points().count);
   const auto places = static_cast<double>(places_.count());
   const double perPlace = method_ == SampleMethod::Linear ? places_.isRaster() ? 3e-8 : 3e-7
     : method_ == SampleMethod::Nearest                    ? 6e-7
                                                           : 1e-6;
-  const double tree = kept_.nearest.is || outside_ == OutsideValues::Boundary ? 0.0 : kTree;
+  const double tree = kept_.nearest.is || outside_ == OutsideValues::Boundary ? 0.0 : kMakeTree;
   return { points *
-      ((kept_.hasTables ? 0.0 : kTables) + (method_ == SampleMethod::Nearest ? kTree : 0.0)),
+      ((kept_.hasTables ? 0.0 : kMakeTables) +
+        (method_ == SampleMethod::Nearest ? kMakeTree : 0.0)),
     places * perPlace, fills() ? points * tree + places * 1e-7 : 0.0 };
 }
 

@@ -215,10 +215,10 @@ std::size_t sampleMemoryEstimate(
   // later at most three edges of rim or walls (4), and a node for 16 of them (16 / 7). Per
   // place that is not on a raster: key and number, twice, of a block of places; for a raster
   // nothing but where its columns and rows are.
-  constexpr std::size_t kPerPoint = 28, kPerPlace = 32, kBlock = std::size_t(1) << 22;
+  constexpr std::size_t kPerPoint = 28, kPerPlace = 32, kPlacesOfBlock = std::size_t(1) << 22;
   const std::size_t ofPlaces = places.isRaster()
     ? (places.raster().columns + places.raster().rows) * sizeof(double)
-    : std::min(places.count(), kBlock) * kPerPlace;
+    : std::min(places.count(), kPlacesOfBlock) * kPerPlace;
   constexpr std::size_t kPerComponent = sizeof(SampledColumn) + sizeof(Buffer<double>);
   return components * kPerComponent + pointCount * (kPerPoint + components * sizeof(double)) +
     ofPlaces + 16384;

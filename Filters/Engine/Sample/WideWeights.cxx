@@ -317,11 +317,11 @@ int WideWeights::missingDigits(std::size_t steps) const
   {
     return digits_;
   }
-  constexpr int kBitsOfFactor = 9, kMostError = -40;
+  constexpr int kBitsOfFactor = 9, kMostErrorBits = -40;
   const int size = isLaplace_ ? halfOf(size_ - nearest_ + 1) : size_;
   const int error = work_[0].with.unit() + halfOf(flatness_) + size + kBitsOfFactor +
     static_cast<int>(bitLength(steps));
-  const int missing = error - (kMostError + sum_ - 1);
+  const int missing = error - (kMostErrorBits + sum_ - 1);
   return missing > 0 ? (missing + 63) / 64 : 0;
 }
 
