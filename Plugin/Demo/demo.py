@@ -170,8 +170,8 @@ def producer(data):
 
 
 def triangulate(source, plugin, error):
-    """The filter's proxy after a timed run, its surface within an error of all points (0: of all), and NP and NR counted
-    in a second run: counting takes time that is not the filter's."""
+    """The filter's proxy after a timed run, its surface within an error of all points (0: of all), and NP and NR
+    counted in a second run: counting takes time that is not the filter's."""
     # before the filter exists, so that Python knows its class
     from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D
     from paraview import servermanager, simple
@@ -185,7 +185,8 @@ def triangulate(source, plugin, error):
     assert isinstance(engine, vtkAdaptiveHilbertDelaunay2D)
     measures = {name: getattr(engine, "Get" + name)() for name in (
         "NumberOfPointsInserted", "NumberOfDuplicates", "NumberOfRejectedPoints",
-        "NumberOfSkippedPoints", "NumberOfPointsWithinError", "LargestError", "NumberOfTriangles", "SortSeconds", "InsertSeconds", "OutputSeconds")}
+        "NumberOfSkippedPoints", "NumberOfPointsWithinError", "LargestError", "NumberOfTriangles", "SortSeconds",
+        "InsertSeconds", "OutputSeconds")}
     if error > 0:  # its points alone; Fate has their ids
         proxy = simple.Clean(Input=proxy, PointMerging=0)
     surface = servermanager.Fetch(proxy)

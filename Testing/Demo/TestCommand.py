@@ -54,8 +54,8 @@ class Command(unittest.TestCase):
         with open(os.path.join(ROOT, "Plugin", "Demo", "raster.py"), encoding="utf-8") as file:
             source += file.read()
         said = run("Plugin/demo.sh", "--help").stdout
-        for option in ("--x", "--y", "--z", "--columns", "--exaggeration", "--nodata", "--simplify", "--edges", "--raster",
-                       "--method", "--crs", "--output"):
+        for option in ("--x", "--y", "--z", "--columns", "--exaggeration", "--nodata", "--simplify", "--edges",
+                       "--raster", "--method", "--crs", "--output"):
             self.assertIn(option, said)
             self.assertIn(option if len(option) > 3 else '"--" + axis', source)
 

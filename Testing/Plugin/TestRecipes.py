@@ -142,6 +142,28 @@ def test_the_function_for_volumes():
                     is_near(value, right, 1e-14, "%s, heights %r" % (what, heights))
 
 
+def test_lighter():
+    """No point is off by more, and few are left, which are those of the input that they say."""
+    points, error = recipes.survey(), 0.5
+    data, tuples = fetched(recipes.lighter(points, error))
+    given = servermanager.Fetch(points)
+    check(data.GetNumberOfPoints() < 1000, "%d points are left" % data.GetNumberOfPoints())
+    for i, (fate,) in enumerate(tuples("Fate")):
+        check_equal(data.GetPoint(i), given.GetPoint(int(fate)), "point %d of the light surface" % i)
+    at_points = simple.AdaptiveHilbertInterpolation2D(Input=recipes.lighter(points, error), Places=points)
+    _, tuples = fetched(at_points)
+    off = [abs(height - given.GetPoint(i)[2]) for i, (height,) in enumerate(tuples("Elevation"))]
+    check(0.45 < max(off) <= error * (1 + 1e-6), "the largest error is %r" % max(off))
+
+
+def test_what_a_lighter_surface_lost():
+    """Between the points it is about as much."""
+    points = recipes.survey()
+    _, tuples = fetched(recipes.change(points, recipes.lighter(points, 0.5), [20, 980, 20, 980]))
+    off = [abs(t[0]) for t in tuples("Change")]
+    check(0.4 < max(off) < 0.6, "the largest difference on the raster is %r" % max(off))
+
+
 def test_change():
     """The pit was dug, and nothing else changed by more than the triangles differ."""
     bounds, size = [20, 980, 20, 980], 2.0

@@ -82,11 +82,19 @@ def add_legend(table, where, title):
     bar.Visibility = int(bool(title))
 
 
-def add_note(text, where, size=15):
+def lay_down_legend(array, where):
+    """Below the picture."""
+    bar = simple.GetScalarBar(simple.GetColorTransferFunction(array), where)
+    bar.Orientation, bar.WindowLocation, bar.ScalarBarLength = "Horizontal", "Lower Center", 0.6
+    bar.DrawBackground = 0
+    return bar
+
+
+def add_note(text, where, size=15, place="Upper Right Corner"):
     """Says what the colours are, where there is no scale of them."""
     note = simple.Show(simple.Text(Text=text), where)
     note.Color, note.FontSize = [0.15, 0.15, 0.15], size
-    note.WindowLocation = "Upper Right Corner"
+    note.WindowLocation = place
 
 
 def side_by_side(path, left, right):
@@ -239,6 +247,33 @@ def change(path):
     side_by_side(path, above, side)
 
 
+def lighter(path):
+    """The whole, what is left of it, and the difference."""
+    bounds, points = [0, 1000, 0, 1000], recipes.survey(count=1000000)
+    light = recipes.lighter(points, 0.5)
+    surfaces = [simple.AdaptiveHilbertDelaunay2D(Input=points), light]
+    lost = recipes.change(points, light, bounds)
+    views = [view(distance=1500, focus=(500.0, 370.0, 45.0)) for _ in range(3)]
+    for surface, where, look in zip(surfaces, views, ("Surface", "Surface With Edges")):
+        heights = simple.Calculator(Input=surface, ResultArrayName="Elevation", Function="coordsZ")
+        heights.UpdatePipeline()
+        display = show(heights, where, "Elevation", limits=(0, 90), title="height, m", Representation=look)
+        display.EdgeColor = [0.25, 0.3, 0.25]
+        add_note("{:,} triangles".format(heights.GetDataInformation().GetNumberOfCells()), where, place="Upper Center")
+        lay_down_legend("Elevation", where)
+    lost.UpdatePipeline()
+    blues = [0.0, 0.1, 0.3, 0.65, 0.5, 0.97, 0.97, 0.95, 1.0, 0.75, 0.2, 0.1]
+    show(lost, views[2], "Change", blues, (-0.5, 0.5), "difference, m", Ambient=1.0, Diffuse=0.0)
+    bar = lay_down_legend("Change", views[2])
+    bar.LabelFormat = bar.RangeLabelFormat = "%.1f"
+    layout = simple.CreateLayout(os.path.basename(path))
+    layout.SplitHorizontal(0, 1 / 3)
+    layout.SplitHorizontal(2, 0.5)
+    for where, place in zip(views, (1, 5, 6)):
+        simple.AssignViewToLayout(where, layout, place)
+    save(path, layout)
+
+
 def slope(path):
     made = recipes.slope_and_aspect(hills(), 4.0)
     made.UpdatePipeline()
@@ -280,7 +315,7 @@ def drape(path):
 
 
 PICTURES = {function.__name__: function
-            for function in (contours, flat, outline, profile, volume, change, slope, drape)}  # fmt: skip
+            for function in (contours, flat, outline, profile, volume, change, lighter, slope, drape)}  # fmt: skip
 
 
 def draw(folder, lidar=None, only=None):
