@@ -449,52 +449,6 @@ def blocks_of_a_source_by_ids():
     return full(), dict(InputData=(1, blocks(source(lines=[(0, 1)]), source(lines=[(2, 3)], polygons=[(6, 7, 8)]))))
 
 
-def hills(count=600):
-    """With a surface that is smooth."""
-    return cloud([(x, y, 50 * math.sin(x / 160) * math.cos(y / 180)) for x, y, _ in scattered(count)])
-
-
-@case
-def simplified():
-    return hills(), dict(MaximumError=2.0, SecondPass=True, GeneratePointStatus=True)
-
-
-@case
-def simplified_with_all():
-    return hills(), dict(generate_all(), MaximumError=2.0, SourceData=lines_and_loops(), SourceMode=1, CrossingMode=1,
-                         DuplicatePolicy=1)
-
-
-@case
-def simplified_in_a_plane():
-    return hills(), dict(MaximumError=2.0, ProjectionPlaneMode=2, Tolerance=0.01, MaximumEdgeLength=300.0)
-
-
-@case
-def simplified_to_a_number():
-    return hills(), dict(MaximumNumberOfVertices=80, MaximumError=0.5, GeneratePointStatus=True)
-
-
-@case
-def simplified_and_a_limit():
-    return hills(), dict(MaximumError=2.0, InsertionLimit=100)
-
-
-@case
-def simplified_and_alpha():
-    return hills(), dict(MaximumNumberOfVertices=80, Alpha=50.0)
-
-
-@case
-def simplified_and_means():
-    return hills(), dict(MaximumError=2.0, DuplicatePolicy=3)
-
-
-@case
-def little_memory_to_simplify():
-    return hills(3000), dict(MaximumError=2.0, MemoryLimit=10)
-
-
 @case
 def little_memory():
     return full(1000), dict(MemoryLimit=10)

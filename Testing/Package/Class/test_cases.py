@@ -8,6 +8,7 @@ import re
 
 import cases
 import heightcases
+import simplifiedcases
 import sourcecases
 from classtests import (BACKEND, FOLDER, TABLE, WRITES, Case, Filter, Hash, Said, core, model, run_tests, values_of,
                         write_rows)
@@ -104,7 +105,7 @@ def outputs_of(algorithm):
 class CasesTest(Case):
     def test_all(self):
         found = {}
-        for name, make in {**cases.CASES, **heightcases.CASES, **sourcecases.CASES}.items():
+        for name, make in {**cases.CASES, **heightcases.CASES, **sourcecases.CASES, **simplifiedcases.CASES}.items():
             try:
                 given = make()
             except AttributeError as error:  # cvista leaves out some classes
