@@ -149,9 +149,6 @@ public:
   }
 };
 
-/// A setting without a fixed range: its widget's range is no limit.
-constexpr const char* kOpenEnded = "InsertionLimit";
-
 /// The nearest value in the range of this element; `value` if that is open.
 template <typename Domain, typename Number>
 Number nearestIn(Domain* domain, unsigned int element, Number value)
@@ -212,10 +209,17 @@ void KeepInRange(vtkSMProperty* property, unsigned int element)
   }
 }
 
+/// Does the range serve the widget alone? Numbers of points have no fixed one, and 0 stands for
+/// all.
+bool isOpenEnded(vtkSMProperty* property)
+{
+  return property->FindDomain("vtkSMNumberOfPointsRangeDomain") != nullptr;
+}
+
 void KeepInRange(vtkSMProxy* proxy, const char* name)
 {
   vtkSMProperty* property = proxy->GetProperty(name);
-  if (!property || property->GetInformationOnly() || std::strcmp(name, kOpenEnded) == 0)
+  if (!property || property->GetInformationOnly() || isOpenEnded(property))
   {
     return;
   }

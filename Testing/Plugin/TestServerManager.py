@@ -217,9 +217,14 @@ def test_what_is_shown_is_what_is_used():
             check_equal(getattr(set_later, name), kept, "%s, as %r was given" % (name, given))
             set_first = AdaptiveHilbertDelaunay2D(Input=Sphere(), **{name: given})
             check_equal(getattr(set_first, name), kept, "%s, as it was made with %r" % (name, given))
-    for given in (0, 1, 2, 10**6):
-        limited = AdaptiveHilbertDelaunay2D(Input=Sphere(), InsertionLimit=given)
-        check_equal(limited.InsertionLimit, given, "InsertionLimit, which may be more than its slider shows")
+    updated = Sphere()
+    updated.UpdatePipeline()
+    for name in ("InsertionLimit", "MaximumNumberOfVertices"):
+        check_equal(getattr(AdaptiveHilbertDelaunay2D(Input=updated), name), 0, name + ", which nobody set")
+        for given in (0, 1, 2, 10**6):
+            for points in (Sphere(), updated):
+                limited = AdaptiveHilbertDelaunay2D(Input=points, **{name: given})
+                check_equal(getattr(limited, name), given, name + ", which may be more than its slider shows")
 
 
 def enumerations(item):
