@@ -4,6 +4,8 @@
 #include "../Core/Loops.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace ahd
 {
@@ -321,6 +323,31 @@ double LivingSurface::measure(const Interpolant& interpolant, Index rank) const
   return isRounded ? weight * error : interpolant.wideError(sample, weight, bound_);
 }
 
+/// The square of the distance from the nearest corner without a value.
+double LivingSurface::squaredDistanceFromUnknown(Slot s, const Point& p) const
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (Slot corner = s; corner < s + 3; ++corner)
+  {
+    const Vertex v = mesh_.apex(corner);
+    const double x = mesh_.place(v).x - p.x, y = mesh_.place(v).y - p.y;
+    least = std::isfinite(valueOf_[v]) ? least : std::min(least, x * x + y * y);
+  }
+  return least;
+}
+
+/// Of two points in one triangle.
+bool LivingSurface::isWorse(Slot s, const Worst& a, const Worst& b) const
+{
+  const Point &p = candidates_.place(a.rank), &q = candidates_.place(b.rank);
+  if (a.error != b.error || std::isfinite(a.error))
+  {
+    return a.error != b.error ? a.error > b.error : lexicographicallyLess(p, q);
+  }
+  const double ofP = squaredDistanceFromUnknown(s, p), ofQ = squaredDistanceFromUnknown(s, q);
+  return ofP != ofQ ? ofP < ofQ : lexicographicallyLess(p, q);
+}
+
 bool LivingSurface::measureTriangle(Slot s, Ticker& ticker)
 {
   Worst worst = { 0.0, kNoIndex };
@@ -330,13 +357,8 @@ bool LivingSurface::measureTriangle(Slot s, Ticker& ticker)
     const Interpolant interpolant = interpolantOf(s);
     for (; rank != kNoIndex; rank = next_[rank])
     {
-      const double error = measure(interpolant, rank);
-      if (worst.rank == kNoIndex || error > worst.error ||
-        (error == worst.error &&
-          lexicographicallyLess(candidates_.place(rank), candidates_.place(worst.rank))))
-      {
-        worst = { error, rank };
-      }
+      const Worst found = { measure(interpolant, rank), rank };
+      worst = worst.rank == kNoIndex || isWorse(s, found, worst) ? found : worst;
       if (!ticker.step())
       {
         return false;

@@ -33,7 +33,9 @@ public:
       (2 * (sizeof(Worst) + 2 * sizeof(Index) + 1) + sizeof(Index) + sizeof(double));
   }
 
-  /// Of a triangle: its point of the largest error, of several the lexicographically smallest.
+  /// Of a triangle: its point of the largest error, of several the lexicographically smallest. Of
+  /// infinite errors, the nearest to a corner without a value: few such points, once kept, take all
+  /// others out of triangles with that corner.
   struct Worst
   {
     double error;
@@ -131,6 +133,8 @@ private:
   void takeList(Slot s);
   bool findOwners();
   bool measureTouched();
+  double squaredDistanceFromUnknown(Slot s, const Point& p) const;
+  bool isWorse(Slot s, const Worst& a, const Worst& b) const;
   bool measureTriangle(Slot s, Ticker& ticker);
   void add(Index rank, Slot s);
   void takeStar(Vertex v);

@@ -241,6 +241,25 @@ TEST(SimplifyBound, PointsWithoutAHeightStayAndWhatIsBesideThem)
   expectWithin(given, result);
 }
 
+/// Not the many that once were in triangles with it, when these were large.
+TEST(SimplifyBound, FewPointsStayForOneWithoutAHeight)
+{
+  constexpr int kSide = 200;
+  SimplifyCase given;
+  for (int k = 0; k < kSide * kSide; ++k)
+  {
+    const double x = double(k % kSide), y = double(k / kSide);
+    given.add({ x, y }, hillsAt({ x / kSide, y / kSide }));
+  }
+  given.settings.maximumError = 0.5;
+  const std::size_t all = given.simplified().kept;
+  given.numbers[3 * (90 * kSide + 110) + 2] = kNotANumber;
+  EXPECT_LT(expectWithin(given, given.simplified()), all + 30);
+  given.settings.maximumError = 0.0;
+  given.settings.maximumNumberOfVertices = all + 30;
+  EXPECT_LT(given.simplified().largestError, 2.0) << "there are vertices left for the others";
+}
+
 TEST(SimplifyBound, OfDuplicatesThatOfTheRepresentativeCounts)
 {
   for (const Representative representative :
