@@ -89,7 +89,7 @@ class Edit:
     def _begin(self, points: Any, settings: Dict[str, Any], id_dtype: Any) -> None:
         self._settings, self._dtype = settings, id_dtype
         self._z = np.empty(0)  # by id, where points have one; longer than that
-        self._columns = 0  # not known yet
+        self._columns = 0  # of the points that came
         self._job = library.take_job()
         usual = library.defaults()
         own = {name: settings[name] for name in ("threads", "memory_limit")}
@@ -128,11 +128,19 @@ class Edit:
     def _own(self) -> library.Job:
         if self._job is None:
             raise ValueError("the edit was closed")
+        if self._job.isLost:
+            raise RuntimeError("the edit was at work in another thread when the process was forked: it is lost here")
         return self._job
 
     def _call(self, name: str, count: int, *arguments: Any, arrays: Sequence[np.ndarray] = ()) -> None:
-        """With so many requests; with few Ctrl-C waits for their end."""
-        self._own()._call(name, *arguments, arrays=arrays, isBrief=count <= _FEW)
+        """With so many requests; with few Ctrl-C waits for their end, unless all points are looked at."""
+        job = self._own()
+        isBrief = count <= _FEW
+        if isBrief:
+            ready = ctypes.c_int32()
+            job._call("ahd_edit_ready", ready, isBrief=True)
+            isBrief = ready.value == 1
+        job._call(name, *arguments, arrays=arrays, isBrief=isBrief)
 
     def _request(self, function: str, given: np.ndarray) -> np.ndarray:
         """Outcomes of requests, one for each row of `given`, which is int64."""
@@ -149,12 +157,17 @@ class Edit:
     def _points(self, given: Any) -> Tuple[np.ndarray, np.ndarray]:
         """x and y, (n, 2) float64, and z, (n,)."""
         points = points_of("points", given)
-        if len(points) and not self._columns:
-            self._columns = points.shape[1]
         if len(points) and points.shape[1] != self._columns:
-            raise ValueError("points must be of shape (n, %d) like the first ones, not %s"
-                             % (self._columns, points.shape))  # fmt: skip
+            if self._next_id():
+                raise ValueError("points must be of shape (n, %d) like the first ones, not %s"
+                                 % (self._columns, points.shape))  # fmt: skip
+            self._columns = points.shape[1]
         return np.ascontiguousarray(points[:, :2], np.float64), points[:, 2:].astype(np.float64).ravel()
+
+    def _next_id(self) -> int:
+        first = ctypes.c_int64()
+        self._call("ahd_edit_insert", 0, None, 0, first)
+        return first.value
 
     # --- changes ---
 
@@ -162,13 +175,13 @@ class Edit:
         """Inserts points, (n, 2) or (n, 3), all or none, and returns their ids, (n,) int64. A point that is not finite
         has an id, and no vertex."""
         xy, z = self._points(points)
-        first = ctypes.c_int64()
-        if self._columns == 3:  # before they are there: those of a call that fails are written over
-            self._call("ahd_edit_insert", 0, None, 0, first)
-            end = first.value + len(z)
+        if len(z):  # before they are there: those of a call that fails are written over
+            begin = self._next_id()
+            end = begin + len(z)
             if end > len(self._z):
                 self._z = np.concatenate((self._z, np.zeros(max(end, 2 * len(self._z)) - len(self._z))))
-            self._z[first.value : end] = z
+            self._z[begin:end] = z
+        first = ctypes.c_int64()
         self._call("ahd_edit_insert", len(xy), xy.ctypes.data, len(xy), first, arrays=(xy,))
         return np.arange(first.value, first.value + len(xy))
 
@@ -231,7 +244,7 @@ class Edit:
 
     def _sizes(self) -> Tuple[int, int]:
         points, segments = ctypes.c_uint64(), ctypes.c_uint64()
-        self._call("ahd_edit_size", 0, points, segments)
+        self._own()._call("ahd_edit_size", points, segments, isBrief=True)
         return points.value, segments.value
 
     def __len__(self) -> int:
@@ -263,7 +276,7 @@ class Edit:
     # --- as an object ---
 
     def __repr__(self) -> str:
-        if self._job is None:
+        if self._job is None or self._job.isLost:
             return "<Edit, closed>"
         points, segments = self._sizes()
         return "<Edit of %d points and %d segments>" % (points, segments)

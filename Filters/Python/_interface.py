@@ -245,6 +245,7 @@ def _signatures() -> Dict[str, Tuple[Any, List[Any]]]:
         "ahd_edit_release": (status, [job, pointer, u64, pointer]),
         "ahd_edit_locate": (status, [job, pointer, u64, pointer, pointer]),
         "ahd_edit_size": (status, [job, to(u64), to(u64)]),
+        "ahd_edit_ready": (status, [job, to(i32)]),
         "ahd_edit_write": (status, [job, pointer, pointer, pointer]),
         "ahd_say": (u64, [job, i32, i32, to(Fact), u64, pointer, u64]),
         "ahd_name": (name, [i32, u32]),

@@ -56,6 +56,7 @@ class Job:
     all are EngineErrors and have a `status`.
     """
 
+    isLost = False  #: has it nothing, as it was at work in another thread when the process was forked?
     wasCancelled = False  #: perhaps the next call will hear of it
     hasTables = False  #: has the library all that it needs of the input to find places?
     _raised: Optional[BaseException] = None
@@ -87,6 +88,7 @@ class Job:
         self._handle.abandon()
         self.__dict__.clear()
         self.__init__()  # type: ignore[misc]
+        self.isLost = True
 
     # --- calls ---
 

@@ -119,6 +119,8 @@ public:
   /// Points that came; the next one's id.
   std::size_t idCount() const { return places_.size(); }
   std::size_t segmentCount() const { return ends_.size() / 2; }
+  /// Are there triangles, as the points are? Else the next call may take a pass over all points.
+  bool isReady() const { return isReady_ && mesh_.vertexCount() > 0; }
   /// Is there a point with this id?
   bool has(std::int64_t id) const
   {

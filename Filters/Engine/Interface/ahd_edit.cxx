@@ -129,6 +129,11 @@ ahd_status ahd_edit_size(ahd_job* job, uint64_t* points, uint64_t* segments)
     });
 }
 
+ahd_status ahd_edit_ready(ahd_job* job, int32_t* ready)
+{
+  return give(job, ready, "ready", [](ahd::Job& own) { return int32_t(own.edited().isReady()); });
+}
+
 ahd_status ahd_edit_write(ahd_job* job, int64_t* ids, double* xy, int64_t* pairs)
 {
   return call(job,

@@ -72,6 +72,9 @@ AHD_API ahd_status ahd_edit_locate(
 
 /* How many there are. */
 AHD_API ahd_status ahd_edit_size(ahd_job* job, uint64_t* points, uint64_t* segments);
+/* *ready: 1 if there are triangles, so that few requests take little time; 0 if the next call may
+ * take a pass over all points: there are none, or the last call failed. */
+AHD_API ahd_status ahd_edit_ready(ahd_job* job, int32_t* ready);
 /* Writes the ids of the points, ascending, their x and y, and for each segment the positions of its
  * ends among them, in ascending order. */
 AHD_API ahd_status ahd_edit_write(ahd_job* job, int64_t* ids, double* xy, int64_t* pairs);

@@ -103,7 +103,7 @@ static void test_refusals(void)
   double* xy = ahd_scattered(kMany);
   const int64_t id = 0;
   int64_t first = -7, place[3];
-  int32_t calls = 2, kind;
+  int32_t calls = 2, kind, ready = 7;
   uint8_t outcome = 0;
   uint64_t points = 7, segments = 7;
   ahd_job* job = ahd_job_new();
@@ -117,6 +117,7 @@ static void test_refusals(void)
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_edit_move(job, &id, NULL, 1, &outcome));
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_edit_locate(job, xy, 1, NULL, place));
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_edit_size(job, NULL, &segments));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_edit_ready(job, NULL));
   CHECK_OK(job, ahd_edit_remove(job, NULL, 0, NULL));
   CHECK_OK(job, ahd_edit_locate(job, xy, 1, &kind, place));
   CHECK(kind == AHD_NOWHERE && place[0] == -1);
@@ -126,11 +127,15 @@ static void test_refusals(void)
   CHECK_OK(job, ahd_set_int(job, "memory_limit", 0));
   CHECK_OK(job, ahd_set_progress(job, cancel, &calls));
   CHECK_STATUS(job, AHD_CANCELLED, ahd_edit_insert(job, xy, kMany, &first));
+  CHECK_OK(job, ahd_edit_ready(job, &ready));
+  CHECK(ready == 0);
   CHECK_OK(job, ahd_edit_size(job, &points, &segments));
   CHECK(points == 0 && segments == 0);
   calls = 1 << 30;
   CHECK_OK(job, ahd_edit_insert(job, xy, kMany, &first));
   CHECK(first == 0 && calls < 1 << 30);
+  CHECK_OK(job, ahd_edit_ready(job, &ready));
+  CHECK(ready == 1);
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_edit_write(job, NULL, xy, NULL));
   ahd_cancel(job);
   CHECK_STATUS(job, AHD_CANCELLED, ahd_edit_remove(job, &id, 1, &outcome));

@@ -7,9 +7,11 @@ import pickle
 import threading
 import unittest
 import warnings
+from unittest import mock
 
 import numpy as np
 from adaptivehilbertdelaunay import DelaunayWarning, Edit, Kind, delaunay
+from adaptivehilbertdelaunay import _library as library
 from arraysupport import cloud, in_a_process, lattice
 
 INTERRUPTED = """
@@ -38,6 +40,38 @@ while len(edit) < 1000003:
         break
     thread.join()
 print(len(edit.insert([[1, 1]])), edit.done().counts["points"] == len(edit))
+"""
+
+# The other thread waits in a callback as long as this one forks.
+FORKED = """
+import os, threading
+import numpy as np
+from adaptivehilbertdelaunay import Edit
+
+edit = Edit(np.random.default_rng(1).random((30000, 2)))
+isThere, goesOn = threading.Event(), threading.Event()
+
+def wait(phase, fraction):
+    isThere.set()
+    goesOn.wait()
+
+edit._job.set_progress(wait)
+thread = threading.Thread(target=edit.remove, args=(range(20000),))
+thread.start()
+isThere.wait()
+child = os.fork()
+if child == 0:
+    try:
+        print(len(edit))
+    except RuntimeError as error:
+        print(error)
+    print(edit, flush=True)
+    edit.__exit__()
+    os._exit(0)
+os.waitpid(child, 0)
+goesOn.set()
+thread.join()
+assert len(edit) == 10000
 """
 
 
@@ -194,6 +228,32 @@ class EditTest(unittest.TestCase):
             edit.insert(cloud(2, 100000))
         self.assertEqual(len(edit), 5)
         self.assertEqual(edit.insert(cloud(3, 5)).tolist(), [5, 6, 7, 8, 9])
+
+    def test_columns_are_those_of_points_that_came(self):
+        edit = Edit(memory_limit="2 MB")
+        with self.assertRaises(MemoryError):
+            edit.insert(cloud(1, 100000, 3))
+        self.assertRaisesRegex(ValueError, "no point has the id 0", edit.move, [0], [[1, 2, 3]])
+        self.assertEqual(edit.insert([[0, 0], [1, 0], [0, 1]]).tolist(), [0, 1, 2])
+        self.assertRaisesRegex(ValueError, r"shape \(n, 2\) like the first ones", edit.move, [0], [[1, 2, 3]])
+        self.assertEqual(edit.done().points.shape, (3, 2))
+
+    def test_other_threads_go_on_where_all_points_are_looked_at(self):
+        edit = Edit([[0, 0], [1, 1], [2, 2]])
+        with mock.patch.object(library, "make_call", wraps=library.make_call) as made:
+            calls = []
+            for change in (lambda: edit.insert([[0, 1]]),  # the first one beside the line
+                           lambda: edit.insert([[0, 2]]),
+                           lambda: edit.remove([3, 4]),  # the last ones
+                           lambda: edit.insert([[3, 3]])):
+                change()
+                calls.append(made.call_count)
+        self.assertEqual(calls, [1, 1, 1, 2])
+
+    def test_it_is_lost_in_a_child_if_it_was_at_work(self):
+        said = in_a_process(FORKED).stdout
+        self.assertIn("at work in another thread when the process was forked", said)
+        self.assertIn("<Edit, closed>\n", said)
 
     def test_ctrl_c(self):
         said = in_a_process(INTERRUPTED).stdout.split("\n")
