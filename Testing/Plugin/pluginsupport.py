@@ -56,7 +56,7 @@ MEASURES = names_of("delaunay", "measures", lambda row: True)
 COUNTS = names_of("delaunay", "measures", lambda row: row["type"] == "id")
 TEXTS = list(TABLE["delaunay"]["texts"])
 # Attributes of the plugin in Python alone: in no panel, state or trace.
-HIDDEN = ["InsertionLimitRange"] if IS_PYTHON else []
+HIDDEN = ["InsertionLimitRange", "MaximumNumberOfVerticesRange"] if IS_PYTHON else []
 # The same of the interpolation: its own settings, those of its triangulation that have an effect, and its measures.
 RASTER_SETTINGS = names_of("interpolation", "settings")
 RASTER_MEASURES = names_of("interpolation", "measures", lambda row: True)
