@@ -234,7 +234,9 @@ FEATURES = (
     feature("of which some are split", SPLIT, {"crossings": "split"}, ["triangles"], source=segments, most=2))
 FEATURES += other_arrays(FEATURES) + (
     feature("all outputs", all_outputs(), most=2),
-    feature("all, of segments", dict(all_outputs(), **SPLIT), source=segments, most=2))
+    feature("all, of segments", dict(all_outputs(), **SPLIT), source=segments, most=2),
+    feature("simplified, few left", dict(MaximumError=1e-2), {"maximum_error": 1e-2}, ["triangles"], most=2.5),
+    feature("simplified, most left", dict(MaximumError=1e-6), {"maximum_error": 1e-6}, ["triangles"], most=2))
 
 
 # --- Doors --------------------------------------------------------------------------------------------------
