@@ -22,7 +22,7 @@ from ._interface import (
     OutlineReport, Places, Sampled, address_of, array_type, described, names, status_name,
 )  # fmt: skip
 from ._calls import AT_WORK as _at_work
-from ._calls import NO_PROGRESS, NO_PROJECTION, PROGRESS, PROJECTION, busy, make_call
+from ._calls import NO_PROGRESS, NO_PROJECTION, PROGRESS, PROJECTION, busy, end_with_the_program, make_call
 from ._held import NO_HANDLE, Handle, anchor
 from ._raster import Raster, Samples
 
@@ -116,6 +116,7 @@ class Job:
         for its end. `arrays`: those of callers whose addresses are among the arguments."""
         if isBrief and self._progress is None:
             self.refuse_if_busy()
+            end_with_the_program()
             self._hear(None)
             status = getattr(Held, name)(self._handle.address, *arguments)
         else:

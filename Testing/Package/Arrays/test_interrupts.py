@@ -3,10 +3,12 @@
 
 import signal
 import sys
+import threading
 import unittest
 import unittest.mock
 
 import numpy as np
+from adaptivehilbertdelaunay import _calls
 from adaptivehilbertdelaunay import _library as library
 from adaptivehilbertdelaunay import delaunay
 from arraysupport import SQUARE, cloud, in_a_process
@@ -243,6 +245,23 @@ class InterruptTest(unittest.TestCase):
             made.weights(places)
         names = [call.args[2][0] for call in long.call_args_list if call.args[2][0] in (b"weights", b"weight_points")]
         self.assertEqual(names, [b"weight_points", b"weights"])
+
+    def test_few_places_when_the_program_ends(self):
+        """A daemon thread ends before them, without a message, though another one's work was cancelled."""
+        made, ends = delaunay(SQUARE), []
+        made._job.cancel()
+
+        def work():
+            try:
+                made.interpolate(np.ones(len(SQUARE)), SQUARE)
+            except BaseException as error:
+                ends.append(type(error))
+
+        thread = threading.Thread(target=work, daemon=True)
+        with unittest.mock.patch.object(_calls, "_isEnding", True):
+            thread.start()
+            thread.join()
+        self.assertEqual(ends, [SystemExit])
 
     def test_few_points_whose_work_is_long(self):
         """Because of their constraints: it is cancelled."""
