@@ -111,19 +111,25 @@ LivingMesh::Halfedge LivingMesh::leaving(Vertex v) const
 
 LivingMesh::Halfedge LivingMesh::edge(Vertex a, Vertex b) const
 {
-  const Halfedge first = leaving(a);
-  for (Halfedge h = first; h != kNoIndex;)
+  const Halfedge ofA = leaving(a), ofB = leaving(b);
+  if (ofA == kNoIndex || ofB == kNoIndex)
+  {
+    return kNoIndex;
+  }
+  Halfedge h = ofA, g = ofB; // around both, as one of them may have many neighbours
+  do
   {
     if (target(h) == b)
     {
       return h;
     }
-    h = around(h);
-    if (h == first)
+    if (target(g) == a)
     {
-      break;
+      return twin(g);
     }
-  }
+    h = around(h);
+    g = around(g);
+  } while (h != ofA && g != ofB);
   return kNoIndex;
 }
 

@@ -49,8 +49,8 @@ bool LivingMesh::findWay(Vertex from, Vertex to, std::vector<Way>& ways) const
 {
   while (from != to)
   {
-    Halfedge h;
-    Way way = firstStep(from, to, h);
+    Halfedge h = edge(from, to);
+    Way way = h != kNoIndex ? Way{ from, to, {} } : firstStep(from, to, h);
     while (way.to == kNoIndex)
     {
       if (isConstraint(h))
