@@ -35,6 +35,8 @@ if TYPE_CHECKING:
     from ._interpolators import NaturalNeighborInterpolator as NaturalNeighborInterpolator
     from ._interpolators import NearestInterpolator as NearestInterpolator
     from ._raster import Raster as Raster
+    from ._refined import BadReason as BadReason
+    from ._refined import Mesh as Mesh
     from ._results import Adjacency as Adjacency
     from ._results import Contours as Contours
     from ._results import Lines as Lines
@@ -55,6 +57,7 @@ _MODULES = {
     **dict.fromkeys(("LinearInterpolator", "NaturalNeighborInterpolator", "NearestInterpolator"), "._interpolators"),
     **dict.fromkeys(("Edit", "EditPlaces"), "._edit"),
     "Raster": "._raster",
+    **dict.fromkeys(("BadReason", "Mesh"), "._refined"),
     "__version__": "._interface",
     **dict.fromkeys(("Adjacency", "Contours", "Lines"), "._results"),
     "Weights": "._sampling",
@@ -69,9 +72,9 @@ _CLASSES = (
 )
 
 __all__ = [
-    "Adjacency", "Boxes", "Contours", "DelaunayWarning", "Edit", "EditPlaces", "Kind", "LinearInterpolator", "Lines",
-    "Location", "NaturalNeighborInterpolator", "NearestInterpolator", "Outline", "Raster", "Triangulation", "Voronoi",
-    "Weights", "delaunay", "release_memory",
+    "Adjacency", "BadReason", "Boxes", "Contours", "DelaunayWarning", "Edit", "EditPlaces", "Kind",
+    "LinearInterpolator", "Lines", "Location", "Mesh", "NaturalNeighborInterpolator", "NearestInterpolator", "Outline",
+    "Raster", "Triangulation", "Voronoi", "Weights", "delaunay", "release_memory",
 ]  # fmt: skip
 
 

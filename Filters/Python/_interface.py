@@ -58,6 +58,10 @@ IN_TRIANGLE, ON_EDGE, ON_VERTEX, OUTSIDE, NOWHERE = range(5)
 EDIT_DONE, EDIT_NOT_TRIED, EDIT_NO_POINT, EDIT_END_OF_SEGMENT, EDIT_SEGMENTS_MEET = range(5)
 EDIT_NOT_FINITE, EDIT_NO_LENGTH, EDIT_CROSSES, EDIT_NO_SEGMENT = range(5, 9)
 
+# Why a triangle does not meet a request of ahd_refine.h, and as many points as it takes.
+REFINE_INPUT_ANGLE, REFINE_BUDGET, REFINE_RESOLUTION = range(3)
+REFINE_ALL = 2**64 - 1
+
 # For Job.interpolate.
 AT_SURFACE, AT_CROSSINGS = 1, 2
 
@@ -181,6 +185,21 @@ class OutlineReport(ctypes.Structure):
     _fields_ += [("plane", ctypes.c_int32)]
 
 
+class RefineRequest(ctypes.Structure):
+    _fields_ = [(name, ctypes.c_double) for name in ("minimum_angle", "maximum_area", "maximum_length")]
+    _fields_ += [("sizes", ctypes.c_void_p), ("most_points", ctypes.c_uint64)]
+
+
+class RefineReport(ctypes.Structure):
+    _fields_ = [(name, ctypes.c_uint64) for name in (
+        "points", "on_segments", "triangles", "ids", "chains", "lines", "bad", "encroached_pieces")]  # fmt: skip
+
+
+class Refined(ctypes.Structure):
+    _fields_ = [(name, ctypes.c_void_p) for name in (
+        "places", "corners", "weights", "ids", "offsets", "bad", "reasons")]  # fmt: skip
+
+
 class Fact(ctypes.Structure):
     _fields_ = [
         ("name", ctypes.c_char_p),
@@ -238,6 +257,8 @@ def _signatures() -> Dict[str, Tuple[Any, List[Any]]]:
         "ahd_outline": (status, [job, to(OutlineReport)]),
         "ahd_outline_directed": (status, [job, to(OutlineReport)]),
         "ahd_within_radius": (status, [job, double, pointer]),
+        "ahd_refine": (status, [job, to(RefineRequest), to(RefineReport)]),
+        "ahd_refine_write": (status, [job, to(Refined)]),
         "ahd_edit_insert": (status, [job, pointer, u64, to(i64)]),
         "ahd_edit_remove": (status, [job, pointer, u64, pointer]),
         "ahd_edit_move": (status, [job, pointer, pointer, u64, pointer]),

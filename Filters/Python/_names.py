@@ -23,6 +23,10 @@ KEYWORDS = (
     ("tolerance", "tol"),
     ("source_heights", "heights"),
     ("voronoi_clip", "clip"),
+    ("minimum_angle", "min_angle"),
+    ("maximum_area", "max_area"),
+    ("maximum_length", "max_length"),
+    ("sizes", "size"),
 )
 
 Function = TypeVar("Function", bound=Callable[..., Any])

@@ -15,7 +15,7 @@ from ._made import frozen
 from ._picture import svg
 from ._results import Adjacency, Boxes, Location, Outline, Voronoi, chained
 from ._raster import real_numbers, unmasked, xy_of
-from ._simplified import Simplified
+from ._refined import Refined
 
 
 _TRIANGLES = library.names(library.COUNTS).index("triangles")
@@ -48,7 +48,7 @@ _NAMES_OF_SCIPY = {
 }
 
 
-class Triangulation(Simplified):
+class Triangulation(Refined):
     """A Delaunay triangulation, made by `delaunay`. It never changes; its arrays are read-only.
 
     Ids are rows of `points`. All results depend on the points, constraints and settings alone, the same to the byte

@@ -204,6 +204,20 @@ class Examples(unittest.TestCase):
             stderr=subprocess.PIPE, text=True, check=False)  # fmt: skip
         self.assertTrue(run.returncode == 1 and run.stderr.startswith("usage: "), run.stderr)
 
+    def test_heat(self):
+        """The area is that of the plate, whose heat leaves at its outline; the hottest place is beside the hole."""
+        said = self.run_example(sys.executable, os.path.join(EXAMPLES, "heat.py"), "heat.png")
+        numbers = r"heat in ([\d.]+), out through the outline ([\d.]+)\nhottest: ([\d.]+) at \(2.[67]\d, 1.[67]\d\)"
+        heat, flow, hottest = (float(n) for n in re.search(numbers, said).groups())
+        hole = 12 * 0.9**2 * math.sin(math.pi / 12)  # of 24 sides
+        self.assertAlmostEqual(heat, 20 - hole, 5)
+        self.assertAlmostEqual(flow, heat, 5)
+        self.assertAlmostEqual(hottest, 0.9098, delta=0.006)  # that of 10^5 triangles
+        if importlib.util.find_spec("skfem") is not None:
+            self.assertRegex(said, r"scikit-fem differs by \de-1\d")
+        if importlib.util.find_spec("matplotlib") is not None:
+            self.assertGreater(os.path.getsize(os.path.join(self.folder, "heat.png")), 20000)
+
     def test_without_arguments(self):
         """One line names the missing package, like the text at the top: no traceback."""
         for name in sorted(os.listdir(EXAMPLES)):

@@ -14,14 +14,14 @@ import numpy as np
 import adaptivehilbertdelaunay
 from adaptivehilbertdelaunay import (
     _arrays, _calls, _contours, _cubic, _held, _input, _interface, _interpolators, _library, _measured, _outlined,
-    _raster, _results, _sampling, _spatial, _triangulation, _warnings, scipy,
+    _raster, _refined, _results, _sampling, _spatial, _triangulation, _warnings, scipy,
 )  # fmt: skip
 from adaptivehilbertdelaunay import DelaunayWarning, LinearInterpolator, NaturalNeighborInterpolator
 from arraysupport import ROOT
 
 MODULES = (
     _arrays, _calls, _contours, _cubic, _held, _input, _interface, _interpolators, _library, _measured, _outlined,
-    _raster, _results, _sampling, _spatial, _triangulation, _warnings, scipy,
+    _raster, _refined, _results, _sampling, _spatial, _triangulation, _warnings, scipy,
 )  # fmt: skip
 README = os.path.join(ROOT, "Filters", "Python", "README.md")
 COMING_FROM = os.path.join(ROOT, "Filters", "Python", "ComingFrom.md")
@@ -113,7 +113,7 @@ class DocumentTest(unittest.TestCase):
     def test_the_headers_name_all_that_the_library_knows_by_name(self):
         folder = os.path.join(ROOT, "Filters", "Engine", "Interface")
         text = ""
-        for header in ("ahd.h", "ahd_edit.h", "ahd_messages.h", "ahd_outline.h", "ahd_sample.h"):
+        for header in ("ahd.h", "ahd_edit.h", "ahd_messages.h", "ahd_outline.h", "ahd_refine.h", "ahd_sample.h"):
             with open(os.path.join(folder, header), encoding="utf-8") as file:
                 text += file.read()
         for kind in range(6):

@@ -20,7 +20,7 @@ INTERFACE = os.path.join(ROOT, "Filters", "Engine", "Interface")
 
 def header():
     text = ""
-    for name in ("ahd.h", "ahd_edit.h", "ahd_messages.h", "ahd_outline.h", "ahd_sample.h"):
+    for name in ("ahd.h", "ahd_edit.h", "ahd_messages.h", "ahd_outline.h", "ahd_refine.h", "ahd_sample.h"):
         with open(os.path.join(INTERFACE, name), encoding="utf-8") as file:
             text += file.read()
     return text

@@ -21,8 +21,9 @@ import test_geometry
 import test_input
 
 FILE = pathlib.Path(__file__).with_name("Refusals.json")
-MODULES = ("_geometry.py", "_input.py", "_interpolators.py", "_names.py", "_raster.py", "_sampling.py",
-           "_simplified.py", "_spatial.py", "_triangulate.py", "_triangulation.py", "scipy.py")  # fmt: skip
+MODULES = ("_geometry.py", "_input.py", "_interpolators.py", "_names.py", "_raster.py",
+           "_refined.py", "_sampling.py", "_simplified.py", "_spatial.py", "_triangulate.py",
+           "_triangulation.py", "scipy.py")  # fmt: skip
 # Exceptions that are caught again, with other texts.
 INSIDE = (" is not a number", '"voronoi_polygon"')
 NOT_MUST = re.compile("(is|are|has|have) to (be|have) ")
@@ -127,6 +128,20 @@ CALLS = {
     "simplify too few values": lambda: MADE.simplify(1, values=VALUES[:5]),
     "simplify values of text": lambda: MADE.simplify(1, values=["a"] * 6),
     "simplify masked values": lambda: MADE.simplify(1, values=MASKED[:, 0]),
+    "refine to a wide angle": lambda: MADE.refine(35),
+    "refine to NaN": lambda: MADE.refine(np.nan),
+    "refine to no area": lambda: MADE.refine(maximum_area=0),
+    "refine to an infinite area": lambda: MADE.refine(maximum_area=np.inf),
+    "refine to an area of text": lambda: MADE.refine(maximum_area="1"),
+    "refine to a negative length": lambda: MADE.refine(maximum_length=-2.0),
+    "refine with less than nothing": lambda: MADE.refine(maximum_added=-1),
+    "refine with parts of a point": lambda: MADE.refine(maximum_added=1.5),
+    "refine to too few sizes": lambda: MADE.refine(sizes=[1.0, 2.0]),
+    "refine to a function's one size": lambda: MADE.refine(sizes=lambda xy: 1.0),
+    "refine to sizes of text": lambda: MADE.refine(sizes=["a"] * 6),
+    "refine to masked sizes": lambda: MADE.refine(sizes=MASKED[:, 0]),
+    "refine what alpha left": lambda: delaunay(SQUARE, alpha=9.0).refine(),
+    "refine what lengths left": lambda: delaunay(SQUARE, maximum_edge_length=9.0).refine(),
     "simplify values with a source": lambda: WITH_SOURCE.simplify(1, values=np.arange(8.0)[:6]),
     "simplify values of the lowest": lambda: delaunay(cloud(1, 6, 3), duplicates="lowest_z").simplify(1, values=VALUES),
     "a masked skip": lambda: delaunay(SQUARE, skip=np.ma.masked_equal(np.zeros(6, bool), False)),

@@ -11,8 +11,8 @@ from typing import Any, List, Tuple
 import numpy as np
 import adaptivehilbertdelaunay
 from adaptivehilbertdelaunay import (
-    Boxes, Contours, DelaunayWarning, Kind, LinearInterpolator, NaturalNeighborInterpolator, NearestInterpolator,
-    Outline, Raster, Triangulation, Voronoi, delaunay, release_memory,
+    Boxes, Contours, DelaunayWarning, Kind, LinearInterpolator, Mesh, NaturalNeighborInterpolator,
+    NearestInterpolator, Outline, Raster, Triangulation, Voronoi, delaunay, release_memory,
 )  # fmt: skip
 
 
@@ -46,7 +46,9 @@ def looked_at(made: Triangulation) -> List[str]:
     edges: np.ndarray = made.edges
     shapes: List[Outline] = [made.outline(), made.alpha_shape(0.1)]
     bands: Contours = made.contours(made.points[:, 0], [0.2, 0.5], filled=True)
-    count: int = made.counts["triangles"]
+    mesh: Mesh = made.refine(30, maximum_area=0.1, sizes=lambda xy: 1 + xy[:, 0])
+    pieces: np.ndarray = mesh.edges[mesh.on_boundary]
+    count: int = made.counts["triangles"] + len(pieces) + len(mesh.triangulation.neighbors)
     names = [Kind(kind).name for kind in where.kind]
     return names + [str(len(diagram)), str(len(boxes.levels)), str(count + len(edges) + len(shapes) + len(bands))]
 
@@ -86,6 +88,8 @@ def wrong(points: np.ndarray, made: Triangulation) -> Any:
     delaunay(points, points)  # wrong: call-arg
     made.voronoi("hul")  # wrong: arg-type
     made.alpha_shape("0.1")  # wrong: arg-type
+    made.refine("30")  # wrong: arg-type
+    made.refine(30, 0.5)  # wrong: call-arg
     made.interpolate(points, points, "cubic")  # wrong: call-overload
     made.interpolate(points, points, outside="nearby")  # wrong: call-overload
     made.weights(points, "cubic")  # wrong: arg-type
