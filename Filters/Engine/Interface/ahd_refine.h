@@ -16,8 +16,8 @@
  * What loops keep of the triangles is refined. Segments are the constraint edges and the edges
  * where that ends: split crossings before. A run of the points and the added ones, with the chains
  * written as arrays line_ids and loop_ids and fill_rule AHD_FILL_EVEN_ODD, gives the refined
- * triangles. It is the same for any order of the input. Triangles that do not meet the request are
- * named.
+ * triangles; points skipped or left out must be skipped again. It is the same for any order of the
+ * input. Triangles that do not meet the request are named.
  *
  * Of the settings, memory_limit and other_memory apply.
  */

@@ -63,8 +63,11 @@ const Refinement& Job::refine(const RefineRequest& request)
   const auto limit = static_cast<std::size_t>(settings[IntSetting::MemoryLimit]);
   const std::size_t points = made.points.points().count,
                     allowed = limit > 0 ? limit : availableMemory();
-  const std::size_t held = static_cast<std::size_t>(settings[IntSetting::OtherMemory]) +
-    triangulatedMemoryEstimate(points, made.asked.options) + tableMemoryEstimate(points);
+  // What is available is beside the triangulation.
+  const std::size_t held = tableMemoryEstimate(points) +
+    (limit > 0 ? static_cast<std::size_t>(settings[IntSetting::OtherMemory]) +
+          triangulatedMemoryEstimate(points, made.asked.options)
+               : 0);
   AskedMemory& asked = progress.asked();
   const Apart apart(progress);
   asked.limitTo(allowed > held ? allowed - held : 0);
