@@ -88,22 +88,25 @@ class Segments:
         return np.concatenate(made)
 
     def _path(self, at: int, end: int, beside: Dict[int, List[int]]) -> np.ndarray:
-        """The ids along the edges from one point straight to another; at most one of them if there are none such.
-        Crossings are rounded: a unit in the last place from the line."""
+        """The ids along the edges from a point straight to another, from its end; one alone if there are none such.
+        Crossings are rounded: a unit in the last place from the line, so several ways may lead along it."""
         origin = self._places[at, :2]
         way = self._places[end, :2] - origin
         most = 4 * np.finfo(float).eps * np.abs(self._places[[at, end], :2]).max() * length(way[:1], way[1:])
-        path, done = [at], 0.0
-        while at != end:
-            near = np.array(beside.get(at, []), np.int64)
+        came, reached = {at: at}, [(at, 0.0)]
+        while reached and end not in came:
+            before, done = reached.pop()
+            near = np.array(beside.get(before, []), np.int64)
             to = self._places[near, :2] - origin
-            off, along = np.abs(to[:, 0] * way[1] - to[:, 1] * way[0]), to @ way
-            isAhead = (off <= most) & (along > done)
-            if not isAhead.any():
-                return np.array(path[:1])
-            nearest = np.argmin(np.where(isAhead, off, np.inf))
-            at, done = int(near[nearest]), float(along[nearest])
-            path.append(at)
+            along = to @ way
+            isAhead = (np.abs(to[:, 0] * way[1] - to[:, 1] * way[0]) <= most) & (along > done)
+            for next_, far in zip(near[isAhead].tolist(), along[isAhead].tolist()):
+                if next_ not in came:
+                    came[next_] = before
+                    reached.append((next_, far))
+        path = [end if end in came else at]
+        while path[-1] != at:
+            path.append(came[path[-1]])
         return np.array(path)
 
 

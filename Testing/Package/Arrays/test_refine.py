@@ -132,6 +132,22 @@ class RefineTest(KeywordTest):
         self.expect_markers(mesh, {(k, 0): points[given[k]] for k in (0, 2, 3)})
         self.assertEqual({tuple(row) for row in mesh.markers[mesh.on_boundary].tolist()}, {(-1, -1)})
 
+    def test_markers_of_many_crossings(self):
+        """On lattices and elsewhere, far from the origin too: pieces inside have one, and lie on that segment."""
+        warnings.simplefilter("ignore", DelaunayWarning)
+        for seed in range(20, 80):
+            random = np.random.default_rng(seed)
+            count, far = int(random.integers(4, 25)), random.choice([0, 5e6])
+            points = (random.integers(0, 8, (count, 2)) if seed % 2 else random.random((count, 2)) * 8) + far
+            segments = random.integers(0, count, (int(random.integers(1, 8)), 2))
+            mesh = delaunay(points, segments=segments, crossings="split").refine(25, maximum_added=300)
+            self.assertTrue((mesh.markers[~mesh.on_boundary, 0] >= 0).all(), seed)
+            isMarked = mesh.markers[:, 0] >= 0
+            start, end = np.moveaxis(points[segments[mesh.markers[isMarked, 0]]], 1, 0)
+            off, way = mesh.points[mesh.edges[isMarked]] - start[:, None], (end - start)[:, None]
+            across = abs(off[..., 0] * way[..., 1] - off[..., 1] * way[..., 0]) / np.hypot(way[..., 0], way[..., 1])
+            self.assertLess(across.max(initial=0), 1e-14 * (8 + 8 * far), seed)
+
     def test_markers_of_source_points(self):
         """A segment that is left out, as it crosses another, marks nothing. Ids are those of the source's points."""
         with self.assertWarnsRegex(DelaunayWarning, "cross"):
