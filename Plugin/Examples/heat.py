@@ -72,8 +72,8 @@ def show(mesh, u, file):
     for chain, colour in ((0, "tab:blue"), (1, "black")):
         ends = mesh.points[mesh.edges[mesh.markers[:, 0] == chain]]
         axis.plot(*np.moveaxis(ends, 2, 0).transpose(0, 2, 1), color=colour, lw=2)
-    axis.margins(0.03)
-    axis.set(aspect="equal", title="%d triangles; blue: kept at 0, black: insulated" % len(mesh.triangles))
+    axis.set(aspect="equal", xlim=(-0.1, 6.1), ylim=(-0.1, 4.1))
+    axis.set(title="%d triangles; blue: kept at 0, black: insulated" % len(mesh.triangles))
     figure.colorbar(shown, ax=axis, label="temperature")
     figure.savefig(file, dpi=80)
 
