@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Measure.h"
 
+#include "../Predicates/Predicates.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -103,13 +105,18 @@ bool Interpolant::isSurelyWithin(const Sample& p, double error, double weight, d
 
 double Interpolant::wideError(const Sample& p, double weight, double bound) const
 {
-  const auto edge = [&](const Point& q) -> DoubleDoubleVector {
-    return { wideEdge(q.x, a_.at.x, scale_), wideEdge(q.y, a_.at.y, scale_) };
+  const auto edge = [&](const Point& q, const Point& from) -> DoubleDoubleVector {
+    return { wideEdge(q.x, from.x, scale_), wideEdge(q.y, from.y, scale_) };
   };
-  const DoubleDoubleVector toB = edge(b_.at), toC = edge(c_.at), toP = edge(p.at);
-  const DoubleDouble up = cross(toP, toC) * exactDifference(b_.value, a_.value) +
-    cross(toB, toP) * exactDifference(c_.value, a_.value);
-  const DoubleDouble difference = up / cross(toB, toC) + exactDifference(a_.value, p.value);
+  // of a corner, the area opposite to it: where that is 0 its value may be of any size
+  const auto part = [&](const Sample& corner, const Sample& q, const Sample& r)
+  {
+    return orient2d(q.at, r.at, p.at) == 0
+      ? DoubleDouble()
+      : cross(edge(q.at, p.at), edge(r.at, p.at)) * exactDifference(corner.value, p.value);
+  };
+  const DoubleDouble up = part(a_, b_, c_) + part(b_, c_, a_) + part(c_, a_, b_);
+  const DoubleDouble difference = up / cross(edge(b_.at, a_.at), edge(c_.at, a_.at));
   const DoubleDouble size = difference.high < 0.0 ? -difference : difference;
   const DoubleDouble error = size * DoubleDouble{ weight, 0.0 };
   const double rounded = std::fabs(divisor_) > kThin ? orInfinity(error.value()) : kInfinity;

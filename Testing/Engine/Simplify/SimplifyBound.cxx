@@ -260,6 +260,33 @@ TEST(SimplifyBound, FewPointsStayForOneWithoutAHeight)
   EXPECT_LT(given.simplified().largestError, 2.0) << "there are vertices left for the others";
 }
 
+/// A point on an edge of a triangle with a corner of -3.4e38, a value for "none": the edge alone
+/// says how wrong it is.
+TEST(SimplifyBound, ValuesForNoneDoNotHideErrorsOnEdges)
+{
+  std::size_t out = 0;
+  for (std::uint64_t seed = 1; seed <= reduced(2000); ++seed)
+  {
+    Random random(seed);
+    SimplifyCase given;
+    for (int k = 0; k < 64; ++k)
+    {
+      const bool isNone = random.below(15) == 0;
+      given.add({ 0.1 * (k % 8), 0.1 * (k / 8) }, // differences are rounded
+        isNone ? -double(std::numeric_limits<float>::max()) : double(random.below(10)));
+    }
+    given.settings.maximumError = 4.0;
+    const SimplifyResult result = given.simplified();
+    const Surface surface(given, result);
+    for (std::size_t i = 0; i < given.count(); ++i)
+    {
+      out += result.lots[i] == PointLot::WithinError;
+      ASSERT_LE(std::fabs(surface.values[i] - given.height(i)), 4.0 + 1e-9) << seed << ", " << i;
+    }
+  }
+  EXPECT_GT(out, reduced(2000));
+}
+
 TEST(SimplifyBound, OfDuplicatesThatOfTheRepresentativeCounts)
 {
   for (const Representative representative :
