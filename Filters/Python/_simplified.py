@@ -75,7 +75,7 @@ class Simplified(Outlined):
         >>> import numpy as np
         >>> from adaptivehilbertdelaunay import delaunay
         >>> x, y = np.meshgrid(np.arange(50.0), np.arange(50.0))
-        >>> hills = np.column_stack((x.ravel(), y.ravel(), (np.sin(x / 8) * np.cos(y / 9)).ravel()))
+        >>> hills = np.column_stack((x.ravel(), y.ravel(), (x * (49 - x) * y * (49 - y)).ravel() / 2e5))
         >>> made = delaunay(hills)
         >>> light = made.simplify(0.05)
         >>> len(made.triangles), len(light.triangles) < 400, light.measures["largest_error"] <= 0.05

@@ -126,10 +126,7 @@ bool LivingSurface::constrain()
       return false;
     }
   }
-  for (Slot s = 0; s < mesh_.end(); s += Mesh::kSlotSize)
-  {
-    touch(s);
-  }
+  touchAll();
   return true;
 }
 
@@ -290,14 +287,19 @@ bool LivingSurface::settle()
 
 // ------------------------------------------------------------------------------------ the errors
 
-void LivingSurface::measureWide(double bound)
+void LivingSurface::touchAll()
 {
-  isWide_ = true;
-  bound_ = bound;
   for (Slot s = 0; s < mesh_.end(); s += Mesh::kSlotSize)
   {
     touch(s);
   }
+}
+
+void LivingSurface::measureWide(double bound)
+{
+  isWide_ = true;
+  bound_ = bound;
+  touchAll();
 }
 
 Interpolant LivingSurface::interpolantOf(Slot s) const

@@ -64,6 +64,7 @@ public:
   const Worst& worst(Slot s) const { return worst_[s / Mesh::kSlotSize]; }
   bool isTouched(Slot s) const { return isTouched_[s / Mesh::kSlotSize] != 0; }
 
+  void touchAll();
   /// Measures with 100 bits from now on, where doubles are not certain to be within the bound.
   /// All triangles become touched.
   void measureWide(double bound);

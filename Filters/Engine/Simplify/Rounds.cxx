@@ -33,9 +33,8 @@ enum Look : unsigned char
 
 } // namespace
 
-Rounds::Rounds(LivingSurface& surface, double bound, std::size_t limit, Ticker& ticker)
+Rounds::Rounds(LivingSurface& surface, std::size_t limit, Ticker& ticker)
   : surface_(surface)
-  , bound_(bound)
   , limit_(limit)
   , ticker_(ticker)
 {
@@ -194,8 +193,9 @@ bool Rounds::keepMaxima(std::size_t count)
   return surface_.settle();
 }
 
-bool Rounds::run(std::size_t units)
+bool Rounds::run(double bound, std::size_t units)
 {
+  bound_ = bound;
   first_ = 0.0;
   passed_ = 0;
   while (!isLimited_)

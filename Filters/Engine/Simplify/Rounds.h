@@ -21,13 +21,13 @@ class Rounds
 {
 public:
   /// `limit`: of vertices; 0: none.
-  Rounds(LivingSurface& surface, double bound, std::size_t limit, Ticker& ticker);
+  Rounds(LivingSurface& surface, std::size_t limit, Ticker& ticker);
 
   /// Until all listed points are within the bound, or the limit is reached. Returns false if
-  /// cancelled; throws std::bad_alloc.
+  /// cancelled; throws std::bad_alloc. @pre all triangles are touched if the bound is another one
   ///
   /// @param units of the phase for this; they pass with the logarithm of the largest error
-  bool run(std::size_t units);
+  bool run(double bound, std::size_t units);
 
   std::size_t count() const { return count_; }
   /// Did the limit end them?
@@ -53,9 +53,9 @@ private:
   void report(std::size_t units);
 
   LivingSurface& surface_;
-  const double bound_;
   const std::size_t limit_;
   Ticker& ticker_;
+  double bound_ = 0.0;
   std::size_t count_ = 0;
   bool isLimited_ = false;
   std::size_t best_ = 0;

@@ -14,8 +14,10 @@ namespace ahd
 namespace
 {
 
-/// Rounds begin with every 16th point, where there are many: most points are then moved once.
+/// Rounds begin with every 16th point, where there are many: most points are then moved a few times
+/// only. They end at four times the bound: only all points have the best for the rest.
 constexpr Index kStep = 16;
+constexpr double kCoarse = 4.0;
 constexpr Index kFewPoints = 1 << 12;
 
 /// One call of simplify().
@@ -76,13 +78,18 @@ bool Simplification::keepEnough(LivingSurface& surface, Ticker& ticker)
 {
   const std::size_t limit = request_.maximumNumberOfVertices;
   const bool samples = limit == 0 && candidates_.count() >= kFewPoints;
-  Rounds rounds(surface, bound_, limit, ticker);
-  bool goesOn = surface.list(samples ? kStep : 1, true) && rounds.run(500) &&
-    (!samples || (surface.list(kStep, false) && rounds.run(300)));
+  Rounds rounds(surface, limit, ticker);
+  bool goesOn = surface.list(samples ? kStep : 1, true) &&
+    rounds.run(samples ? kCoarse * bound_ : bound_, 500);
+  if (goesOn && samples)
+  {
+    surface.touchAll();
+    goesOn = surface.list(kStep, false) && rounds.run(bound_, 300);
+  }
   if (goesOn && !rounds.isLimited())
   {
     surface.measureWide(bound_);
-    goesOn = surface.settle() && rounds.run(100) && keepMoreAtCrossings(surface, rounds);
+    goesOn = surface.settle() && rounds.run(bound_, 100) && keepMoreAtCrossings(surface, rounds);
   }
   if (goesOn && rounds.isLimited())
   {
@@ -101,7 +108,7 @@ bool Simplification::keepMoreAtCrossings(LivingSurface& surface, Rounds& rounds)
   while (!surface.crossing().empty() && surface.crossing() != before && !rounds.isLimited())
   {
     before = surface.crossing();
-    if (!surface.goBackTo(surface.kept()) || !surface.list(1, true) || !rounds.run(0))
+    if (!surface.goBackTo(surface.kept()) || !surface.list(1, true) || !rounds.run(bound_, 0))
     {
       return false;
     }
