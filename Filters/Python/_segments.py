@@ -3,12 +3,11 @@
 
 from __future__ import annotations
 
-from typing import Dict, List
+from typing import Callable, Dict, Iterator, List, Tuple
 
 import numpy as np
 
 from ._input import Request
-from ._measured import length
 
 
 def rows_with(triangles: np.ndarray, edges: np.ndarray) -> np.ndarray:
@@ -44,23 +43,19 @@ class Segments:
     """The segments of a request's chains: ids of the vertices at their ends, and the numbers of chain and segment."""
 
     def __init__(self, request: Request, status: np.ndarray, places: np.ndarray) -> None:
-        arrays = request.arrays
-        first = len(request.points) if "source_points" in arrays else 0
+        source = request.arrays.get("source_points")
+        first = 0 if source is None else len(request.points)
+        self._given = len(request.points) if source is None else first + len(source)
         parts = [np.empty((0, 4), np.int64)]
         chains = 0
-        for kind in ("line", "loop"):
-            if kind + "_ids" in arrays:
-                ids, offsets = arrays[kind + "_ids"], arrays.get(kind + "_offsets")
-                if offsets is None:
-                    width = ids.shape[1] if ids.ndim == 2 else ids.size
-                    offsets = np.arange(0, ids.size + 1, width)
-                parts.append(_numbered(ids.ravel() + first, offsets.astype(np.int64), kind == "loop"))
-                parts[-1][:, 2] += chains
-                chains += len(offsets) - 1
+        for ids, offsets, isClosed in _chains_of(request):
+            parts.append(_numbered(ids + first, offsets, isClosed))
+            parts[-1][:, 2] += chains
+            chains += len(offsets) - 1
         rows = np.concatenate(parts)
         pairs = status[rows[:, :2]].astype(np.int64)
         isSegment = (pairs >= 0).all(axis=1) & (pairs[:, 0] != pairs[:, 1])
-        self._pairs, self._numbers, self._places = pairs[isSegment], rows[isSegment, 2:], places
+        self._pairs, self._numbers, self._places = pairs[isSegment], rows[isSegment, 2:], places[:, :2]
 
     def of(self, edges: np.ndarray) -> np.ndarray:
         """(e, 2): chain and segment that each edge lies on, the first if there are more; -1: none."""
@@ -68,46 +63,83 @@ class Segments:
         rows = _first(own, np.arange(len(own)), keys)
         others = np.flatnonzero(~np.isin(own, keys))
         if len(others) and len(edges):
-            through = self._through(others, np.unique(edges, axis=0))
+            through, broken = self._through(others, np.unique(edges, axis=0))
             found = _first(through[:, 0], through[:, 1], keys)
             rows = np.where((found >= 0) & ((rows < 0) | (found < rows)), found, rows)
+            self._take_parts(broken, edges, rows)
         made: np.ndarray = np.append(self._numbers, [[-1, -1]], axis=0)[rows]
         return made
 
-    def _through(self, rows: np.ndarray, edges: np.ndarray) -> np.ndarray:
-        """(k, 2): of those of these segments that are made of several edges the keys of these, and the row of each."""
+    def _through(self, rows: np.ndarray, edges: np.ndarray) -> Tuple[np.ndarray, List[int]]:
+        """(k, 2): of those of these segments that are made of several edges the keys of these, and the row of each.
+        And the rows of the other segments, of which at most parts are edges."""
         beside: Dict[int, List[int]] = {}
         for a, b in edges.tolist():
             beside.setdefault(a, []).append(b)
             beside.setdefault(b, []).append(a)
-        made = [np.empty((0, 2), np.int64)]
+        made, broken = [np.empty((0, 2), np.int64)], []
         for row in rows.tolist():
-            path = self._path(int(self._pairs[row, 0]), int(self._pairs[row, 1]), beside)
-            keys = _undirected(np.stack((path[:-1], path[1:]), axis=1))
-            made.append(np.stack((keys, np.full_like(keys, row)), axis=1))
-        return np.concatenate(made)
+            found = self._edges_along(row, beside)
+            if not len(found):
+                broken.append(row)
+            made.append(np.stack((_undirected(found), np.full(len(found), row)), axis=1))
+        return np.concatenate(made), broken
 
-    def _path(self, at: int, end: int, beside: Dict[int, List[int]]) -> np.ndarray:
-        """The ids along the edges from a point straight to another, from its end; one alone if there are none such.
-        Crossings are rounded: a unit in the last place from the line, so several ways may lead along it."""
-        origin = self._places[at, :2]
-        way = self._places[end, :2] - origin
-        most = 4 * np.finfo(float).eps * np.abs(self._places[[at, end], :2]).max() * length(way[:1], way[1:])
-        came, reached = {at: at}, [(at, 0.0)]
-        while reached and end not in came:
-            before, done = reached.pop()
+    def _edges_along(self, row: int, beside: Dict[int, List[int]]) -> np.ndarray:
+        """The edges along a segment, (k, 2), if they lead from its one end to the other; else none."""
+        at, end = self._pairs[row].tolist()
+        areOn, made, reached, waiting = self._test_of(row), [], {at}, [at]
+        while waiting:
+            before = waiting.pop()
             near = np.array(beside.get(before, []), np.int64)
-            to = self._places[near, :2] - origin
-            along = to @ way
-            isAhead = (np.abs(to[:, 0] * way[1] - to[:, 1] * way[0]) <= most) & (along > done)
-            for next_, far in zip(near[isAhead].tolist(), along[isAhead].tolist()):
-                if next_ not in came:
-                    came[next_] = before
-                    reached.append((next_, far))
-        path = [end if end in came else at]
-        while path[-1] != at:
-            path.append(came[path[-1]])
-        return np.array(path)
+            for next_ in near[areOn(near)].tolist():
+                made.append((before, next_))
+                if next_ not in reached:
+                    reached.add(next_)
+                    waiting.append(next_)
+        return np.array(made if end in reached else [], np.int64).reshape(-1, 2)
+
+    def _take_parts(self, rows: List[int], edges: np.ndarray, found: np.ndarray) -> None:
+        """Of segments that were divided some parts may cross others, and be left out. Sets `found` for the rest: edges
+        that have none yet, and an end that was added."""
+        left = np.flatnonzero((found < 0) & (edges >= self._given).any(axis=1))
+        for row in rows if len(left) else ():
+            isOn = self._test_of(row)(edges[left]).all(axis=1)
+            found[left[isOn]] = row
+            left = left[~isOn]
+
+    def _test_of(self, row: int) -> Callable[[np.ndarray], np.ndarray]:
+        """A function of ids: do the points lie on the segment? Those that were added are rounded: a unit in the last
+        place from it. Of coordinates of any scale."""
+        start, end = self._places[self._pairs[row]]
+        unit = np.spacing(np.abs((start, end)).max())  # a power of two
+        toX, toY = (end - start) / unit
+        square = toX * toX + toY * toY
+        most = 8 * np.sqrt(square)
+
+        def areOn(ids: np.ndarray) -> np.ndarray:
+            with np.errstate(over="ignore", invalid="ignore"):  # of points far away
+                x, y = np.moveaxis((self._places[ids] - start) / unit, -1, 0)
+                along = x * toX + y * toY
+                made: np.ndarray = (abs(x * toY - y * toX) <= most) & (0 <= along) & (along <= square)
+            return made
+
+        return areOn
+
+
+def _chains_of(request: Request) -> Iterator[Tuple[np.ndarray, np.ndarray, bool]]:
+    """Ids and offsets of lines and of loops, which are closed."""
+    arrays = request.arrays
+    for kind in ("line", "loop"):
+        if kind + "_ids" in arrays:
+            ids, offsets = arrays[kind + "_ids"], arrays.get(kind + "_offsets")
+            if offsets is None:
+                width = ids.shape[1] if ids.ndim == 2 else ids.size
+                offsets = np.arange(0, ids.size + 1, width)
+            yield ids.ravel(), offsets.astype(np.int64), kind == "loop"
+    if request.settings["points_as_line"] and not {"line_ids", "loop_ids"} & arrays.keys():
+        count = len(arrays["source_points"])
+        yield np.arange(count), np.array([0, count]), False
 
 
 def _numbered(ids: np.ndarray, offsets: np.ndarray, isClosed: bool) -> np.ndarray:

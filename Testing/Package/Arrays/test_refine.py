@@ -148,6 +148,52 @@ class RefineTest(KeywordTest):
             across = abs(off[..., 0] * way[..., 1] - off[..., 1] * way[..., 0]) / np.hypot(way[..., 0], way[..., 1])
             self.assertLess(across.max(initial=0), 1e-14 * (8 + 8 * far), seed)
 
+    def expect_inside_marked(self, mesh):
+        self.assertTrue((mesh.markers[~mesh.on_boundary, 0] >= 0).all())
+
+    def test_markers_of_crossings_at_nearly_one_place(self):
+        """Two lines that differ by rounding cross a third: from one crossing to the other it does not go ahead."""
+        warnings.simplefilter("ignore", DelaunayWarning)
+        for seed in range(20):
+            random = np.random.default_rng(seed)
+            a, b = random.random((2, 2)) * 8
+            middle, way = a + (b - a) * random.random(), random.random(2) - 0.5
+            line = np.array([middle - 3 * way, middle + 3 * way])
+            points = np.concatenate(([a, b], line, line + random.integers(-2, 3, (2, 2)) * np.spacing(8.0)))
+            made = delaunay(points, segments=[[0, 1], [2, 3], [4, 5]], crossings="split")
+            self.expect_inside_marked(made.refine(0, maximum_added=300))
+
+    def test_markers_at_any_scale(self):
+        points = np.array([(0, 0), (9, 0), (9, 9), (0, 9), (3, 3), (5, 5), (1, 8.3), (8, 0.7)])
+        for scale in (1e-320, 1e-200, 1e-160, 1e160, 1e260):
+            with np.errstate(all="raise", under="ignore"):
+                made = delaunay(points * scale, segments=[[0, 2], [6, 7], [3, 1]], crossings="split")
+                mesh = made.refine(0, maximum_added=50)
+            self.expect_inside_marked(mesh)
+            self.assertEqual({tuple(row) for row in mesh.markers.tolist()}, {(-1, -1), (0, 0), (1, 0), (2, 0)})
+
+    def test_markers_of_points_as_line(self):
+        made = delaunay(cloud(3, 20) * 8, source_points=SQUARES[:4], points_as_line=True)
+        mesh = made.refine()
+        self.expect_markers(mesh, {(0, k): SQUARES[k : k + 2] for k in range(3)})
+        self.expect_inside_marked(mesh)
+
+    def test_markers_of_divided_segments(self):
+        """Of one that was divided, where it crosses the surface's edges, the part that crosses another is left out."""
+        source = np.array([(4, 0), (4, 8), (0, 4.3), (8, 4.3)])
+        with self.assertWarnsRegex(DelaunayWarning, "cross"):
+            made = delaunay(np.column_stack((cloud(1, 12) * 8, cloud(2, 12)[:, 0])), source_points=source,
+                            lines=[[0, 1], [2, 3]], source_heights="surface")  # fmt: skip
+        mesh = made.refine(0)
+        self.expect_mesh(made, mesh)
+        self.expect_inside_marked(mesh)
+        for chain, axis in ((0, 0), (1, 1)):
+            places = mesh.points[mesh.edges[mesh.markers[:, 0] == chain]]
+            self.assertEqual(set(places[..., axis].ravel().tolist()), {source[2 * chain, axis]})
+            whole = np.ptp(places[..., 1 - axis])
+            self.assertAlmostEqual(whole, 8)
+            self.assertEqual(abs(np.diff(places[..., 1 - axis])).sum() < 7.9, chain == 1)
+
     def test_markers_of_source_points(self):
         """A segment that is left out, as it crosses another, marks nothing. Ids are those of the source's points."""
         with self.assertWarnsRegex(DelaunayWarning, "cross"):
