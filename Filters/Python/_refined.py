@@ -50,7 +50,8 @@ class Mesh:
     regions : (t,) int
         The region of each triangle, with the number it has in the triangulation that was refined.
     edges : (e, 2) int
-        The pieces of segments: of constraints, and of what bounds the triangles, which are on the left of it.
+        The pieces of segments that are edges of triangles: of constraints, and of what bounds the triangles, which are
+        on the left of it.
     markers : (e, 2) int
         Of each piece the constraint that it lies on, the first if there are more: the number of its chain, and that of
         the segment within it. Chains are numbered from 0, as in `left_out`: segments, lines, loops. -1: no constraint.
@@ -216,11 +217,13 @@ class Refined(Simplified):
         points = run.points if isPlain else _joined(space, found)
         before = rows_with(self.triangles, np.concatenate((ends, ends[:, ::-1])))
         rows = rows_with(triangles, np.concatenate((edges, edges[:, ::-1], found.bad[:, :2])))
-        regions = _renumbered(run.regions, self.regions, np.stack((before, rows[: len(before)])))
-        ids, markers, corners = (
-            array.astype(self._dtype) for array in (edges, segments.of(ends), found.corners))  # fmt: skip
-        arrays = (points, triangles, regions, ids, markers, found.isBorder, corners, found.weights,
-                  rows[len(before) :].astype(self._dtype), found.reasons)  # fmt: skip
+        sides, bad = rows[: len(before)], rows[len(before) :]
+        regions = _renumbered(run.regions, self.regions, np.stack((before, sides)))
+        isEdge = (sides.reshape(2, -1) >= 0).any(axis=0)  # else a constraint outside of the triangles
+        ids, markers, corners, bad = (array.astype(self._dtype) for array in (
+            edges[isEdge], segments.of(ends)[isEdge], found.corners, bad))  # fmt: skip
+        arrays = (points, triangles, regions, ids, markers, found.isBorder[isEdge], corners, found.weights, bad,
+                  found.reasons)  # fmt: skip
         members: Any = (*map(frozen, arrays), int(found.report.encroached_pieces), run, self)
         return Mesh(*members)
 

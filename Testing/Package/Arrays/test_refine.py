@@ -194,6 +194,15 @@ class RefineTest(KeywordTest):
             self.assertAlmostEqual(whole, 8)
             self.assertEqual(abs(np.diff(places[..., 1 - axis])).sum() < 7.9, chain == 1)
 
+    def test_constraints_outside_of_the_triangles(self):
+        """They have no pieces, but where one goes on inside it has its marker."""
+        points = np.concatenate((SQUARES, [(-4, 1), (12, 1), (-4, 4), (-2, 9), (2.5, 2), (2.5, 3)]))
+        made = delaunay(points, loops=LOOPS, lines=[[10, 11], [12, 13], [14, 15]], crossings="split")
+        mesh = made.refine(0)
+        self.expect_mesh(made, mesh)
+        self.expect_inside_marked(mesh)
+        self.assertEqual({chain for chain, _ in mesh.markers.tolist()}, {0, 3, 4})
+
     def test_markers_of_source_points(self):
         """A segment that is left out, as it crosses another, marks nothing. Ids are those of the source's points."""
         with self.assertWarnsRegex(DelaunayWarning, "cross"):
