@@ -14,7 +14,7 @@ from . import _library as library
 from ._input import DEFAULTS, Request, real_of
 from ._made import frozen
 from ._names import by_any_name
-from ._raster import number_of, real_numbers
+from ._raster import real_numbers
 from ._segments import Segments, rows_with
 from ._simplified import Simplified
 
@@ -197,12 +197,10 @@ class Refined(Simplified):
         """One number for each point, contiguous."""
         if sizes is None:
             return None
-        count = self._counts["points"]
-        if callable(sizes):
-            wished = real_numbers("sizes", sizes(self.plane_points[:, :2]))
-        else:
-            count -= self._counts["added_points"] - self._counts["source_points"]
-            wished = real_numbers("sizes", sizes)
+        wished = real_numbers("sizes", sizes(self.plane_points[:, :2]) if callable(sizes) else sizes)
+        count = self._counts["points" if callable(sizes) else "input_points"]
+        if not callable(sizes) and (wished.shape != (count,) or not self._is_from_surface):
+            count += self._counts["source_points"]
         if wished.shape != (count,):
             raise ValueError("sizes must be one number for each of %d points, not of shape %s" % (count, wished.shape))
         return np.ascontiguousarray(wished if callable(sizes) else self.interpolate(wished))
@@ -305,9 +303,9 @@ def _limit(name: str, value: Any) -> float:
     """0 for None: no limit. TypeError, ValueError."""
     text = "%s must be a finite number greater than 0, not %r" % (name, value)
     try:
-        number = 0.0 if value is None else number_of(value)
-    except (TypeError, ValueError):
-        raise TypeError(text) from None
+        number = 0.0 if value is None else real_of(name, value, (0.0, np.inf))
+    except (TypeError, ValueError) as error:
+        raise type(error)(text) from None
     if value is not None and not 0 < number < np.inf:
         raise ValueError(text)
     return number
@@ -315,6 +313,8 @@ def _limit(name: str, value: Any) -> float:
 
 def _count(name: str, value: Any) -> int:
     text = "%s must be a whole number, 0 or more, not %r" % (name, value)
+    if isinstance(value, (bool, np.bool_)):
+        raise TypeError(text)
     try:
         number = library.REFINE_ALL if value is None else operator.index(value)
     except TypeError:

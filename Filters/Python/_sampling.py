@@ -80,13 +80,17 @@ class Sampled(Made):
         lock."""
         return self._job if self._job is not None and self._job.hasTables else self._engine()
 
+    @property
+    def _is_from_surface(self) -> bool:
+        """Do source points take their values from the surface?"""
+        return bool(self._request.settings["source_heights"] == library.HEIGHTS_FROM_SURFACE)
+
     def _lacking_rows(self, given: np.ndarray) -> int:
         """How many rows values lack: those of source points, if these take them from the surface. ValueError unless
         there is one for each other point."""
         added: int = self._counts["source_points"]
         count = self._counts["input_points"] + added
-        fromSurface = self._request.settings["source_heights"] == library.HEIGHTS_FROM_SURFACE
-        if fromSurface and given.ndim and len(given) == count - added:
+        if self._is_from_surface and given.ndim and len(given) == count - added:
             return added
         if given.ndim < 1 or len(given) != count:
             last = ", the last %d of which are those of the constraints" % added if added else ""

@@ -91,7 +91,7 @@ class Simplified(Outlined):
         """
         if maximum_error is None and not maximum_vertices:
             raise TypeError("simplify() needs maximum_error or maximum_vertices")
-        if maximum_error is not None and not isinstance(maximum_error, (str, bytes, bool)) and maximum_error == 0:
+        if np.ndim(maximum_error) == 0 and not isinstance(maximum_error, (bool, np.bool_)) and maximum_error == 0:
             maximum_error = _EXACT
         given = dict(zip(_SIMPLIFIED, (0.0 if maximum_error is None else maximum_error, maximum_vertices, second_pass)))
         with self._locked():
@@ -110,6 +110,8 @@ class Simplified(Outlined):
         if "source_points" in request.arrays:
             raise ValueError("values: the triangulation has points of the constraints, which have none; give "
                              "delaunay() all as points")  # fmt: skip
+        if request.settings["bounding"]:
+            raise ValueError("values: the triangulation has bounding points, which have none")
         if request.settings["duplicates"] != library.DUPLICATES_FIRST:
             raise ValueError("values: duplicates must be 'first', as z does not say which value counts")
         isPlain = request.settings["plane"] == library.PLANE_XY
@@ -121,20 +123,21 @@ class Simplified(Outlined):
             job.set_progress(lambda phase, fraction: progress(library.PHASES[phase], fraction) and None)
         job.run()
         job.set_progress(None)
-        found = job.array("point_status", self._dtype)
+        found = {name: frozen(job.array(name, self._dtype)) for name in ("point_status", "merged")}
         counts, measures = job.counts(), job.measures()
         library.give_back(job)
-        return self._without(found, counts["within_error"], measures["largest_error"], progress)
+        return self._without(found, counts, measures["largest_error"], progress)
 
-    def _without(self: Same, status: np.ndarray, count: int, error: float, progress: Any) -> Same:
-        """Of the points that this status does not leave out. What became of all is said as if one run had found it."""
+    def _without(self: Same, found: Dict[str, np.ndarray], counts: Dict[str, int], error: float, progress: Any) -> Same:
+        """Of the points that the status found does not leave out. What became of all is said as if one run had found
+        it."""
         request = self._request
-        isOut = status[: len(request.points)] == library.POINT_WITHIN_ERROR
+        isOut = found["point_status"][: len(request.points)] == library.POINT_WITHIN_ERROR
         skip = request.arrays.get("skip")
         marks = isOut if skip is None else isOut | (skip != 0)
         second = request.changed(dict.fromkeys(_SIMPLIFIED[:2], 0), skip=marks.view(np.uint8))
         made = type(self)(second, self._dtype, (), progress)
-        made._counts["within_error"], made._counts["skipped"] = count, made._counts["skipped"] - count
+        made._counts.update({name: counts[name] for name in ("within_error", "skipped", "merged_points")})
         made._measures["largest_error"] = error
-        made._cached["point_status"] = frozen(status)
+        made._cached.update(found)
         return made

@@ -115,6 +115,15 @@ class RefineTest(KeywordTest):
         self.assertGreater(np.median(longest / most), 0.4)
         self.assertEqual(len(made.refine(size=wished).points), len(by_points.points))
 
+    def test_sizes_of_the_points_alone(self):
+        """As `interpolate` takes values: source points that lie on the surface have those of the surface."""
+        points = np.column_stack((lattice(5), np.zeros(25)))
+        made = delaunay(points, source_points=[[1, 1.5], [3, 2.5]], lines=[0, 1], source_heights="surface")
+        mesh = made.refine(sizes=0.1 + 0.2 * points[:, 0])
+        self.assertEqual(mesh.points.tobytes(), made.refine(sizes=lambda xy: 0.1 + 0.2 * xy[:, 0]).points.tobytes())
+        with self.assertRaisesRegex(ValueError, "each of 27 points"):
+            made.refine(sizes=np.ones(26))
+
     def test_markers_of_loops_and_lines(self):
         mesh = of_squares().refine(28, maximum_area=0.4)
         corners = SQUARES[:8].reshape(2, 4, 2)

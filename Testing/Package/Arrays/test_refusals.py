@@ -35,6 +35,16 @@ PLACE = [[1, 1]]
 CELLS = Raster((0, 0), (1, 1), (2, 3))
 
 
+class Endless:
+    """A number above all of float's."""
+
+    def __float__(self):
+        raise OverflowError
+
+    def __repr__(self):
+        return "10**400"
+
+
 def plane_of_shape(xyz):
     return xyz[:, :2]
 
@@ -134,6 +144,9 @@ CALLS = {
     "refine to an infinite area": lambda: MADE.refine(maximum_area=np.inf),
     "refine to an area of text": lambda: MADE.refine(maximum_area="1"),
     "refine to a negative length": lambda: MADE.refine(maximum_length=-2.0),
+    "refine to True": lambda: MADE.refine(maximum_area=True),
+    "refine to an endless length": lambda: MADE.refine(maximum_length=Endless()),
+    "refine with True points": lambda: MADE.refine(maximum_added=True),
     "refine with less than nothing": lambda: MADE.refine(maximum_added=-1),
     "refine with parts of a point": lambda: MADE.refine(maximum_added=1.5),
     "refine to too few sizes": lambda: MADE.refine(sizes=[1.0, 2.0]),
@@ -143,6 +156,7 @@ CALLS = {
     "refine what alpha left": lambda: delaunay(SQUARE, alpha=9.0).refine(),
     "refine what lengths left": lambda: delaunay(SQUARE, maximum_edge_length=9.0).refine(),
     "simplify values with a source": lambda: WITH_SOURCE.simplify(1, values=np.arange(8.0)[:6]),
+    "simplify values with bounding points": lambda: delaunay(SQUARE, bounding=True).simplify(1, values=VALUES),
     "simplify values of the lowest": lambda: delaunay(cloud(1, 6, 3), duplicates="lowest_z").simplify(1, values=VALUES),
     "a masked skip": lambda: delaunay(SQUARE, skip=np.ma.masked_equal(np.zeros(6, bool), False)),
 }

@@ -113,6 +113,19 @@ class SimplifiedTest(KeywordTest):
         np.testing.assert_array_equal(made.triangles, expected.triangles)
         self.assertEqual(made.counts["added_points"], 1)
 
+    def test_values_and_merged_points(self):
+        """Those that go with the point they were merged into are merged still, not skipped."""
+        points, z = hills()
+        points, z = np.concatenate((points, points[:300] + 1e-6)), np.concatenate((z, z[:300]))
+        made = delaunay(points, tolerance=1e-5).simplify(BOUND, values=z)
+        expected = delaunay(points, heights=z, tolerance=1e-5, maximum_error=BOUND)
+        np.testing.assert_array_equal(made.triangles, expected.triangles)
+        for copy in (made, pickle.loads(pickle.dumps(made))):
+            np.testing.assert_array_equal(copy.merged, expected.merged)
+            for name in ("within_error", "skipped", "merged_points", "duplicates"):
+                self.assertEqual(copy.counts[name], expected.counts[name], name)
+        self.assertGreaterEqual(expected.counts["merged_points"], 300)
+
     def test_values_in_a_plane(self):
         """They count along its normal."""
         points, z = hills()
