@@ -271,8 +271,6 @@ Status Run::simplify(RunResult& made)
   request.representative = settings_.options.representative;
   const Status status = withAsking(
     report_.askedToSimplify, [&] { return ahd::simplify(request, context_, made.simplified); });
-  report_.withinError = made.simplified.leftOut;
-  report_.largestError = made.simplified.largestError;
   return end(status);
 }
 
@@ -392,6 +390,8 @@ void Run::reportOn(const RunResult& made)
   report_.sourcePoints = points.sourceCount();
   report_.addedPoints = points.addedCount();
   report_.mergedPoints = points.merged().size();
+  report_.withinError = made.simplified.leftOut;
+  report_.largestError = made.simplified.largestError;
   if (!constraints.leftOut.empty())
   {
     const LeftOut& first = constraints.leftOut[0];
