@@ -91,9 +91,10 @@ class Simplified(Outlined):
         """
         if maximum_error is None and not maximum_vertices:
             raise TypeError("simplify() needs maximum_error or maximum_vertices")
-        if np.ndim(maximum_error) == 0 and not isinstance(maximum_error, (bool, np.bool_)) and maximum_error == 0:
-            maximum_error = _EXACT
-        given = dict(zip(_SIMPLIFIED, (0.0 if maximum_error is None else maximum_error, maximum_vertices, second_pass)))
+        bound: Any = 0.0 if maximum_error is None else maximum_error  # an array, too, which is refused by name
+        if maximum_error is not None and np.ndim(bound) == 0 and not isinstance(bound, (bool, np.bool_)) and bound == 0:
+            bound = _EXACT
+        given = dict(zip(_SIMPLIFIED, (bound, maximum_vertices, second_pass)))
         with self._locked():
             self._check_input()
         if values is None:
