@@ -30,7 +30,7 @@ double square(double a)
 } // namespace
 
 Criteria::Criteria(const RefineRequest& request, double width)
-  : scale_(scaleToOne(width))
+  : scale_(powerOfTwoBelow(width))
   , sineSquared_(square(sineOfDegrees(request.minimumAngle)))
 {
   const double angle = std::max(request.minimumAngle, kLeastLens);

@@ -209,7 +209,7 @@ std::size_t Domain::triangleNear(Vertex v) const
 /// Barycentric coordinates, at the next place of the triangle if it lies beside it.
 SteinerPoint Domain::weighted(const Point& place, std::size_t triangle) const
 {
-  const double scale = scaleToOne(width_);
+  const double scale = powerOfTwoBelow(width_);
   const auto toPlace = [&](const Point& p)
   {
     return DoubleDoubleVector{ scaled(exactDifference(p.x, place.x), scale),

@@ -3,6 +3,7 @@
 #define ahd_Functions_h
 
 #include "../Arithmetic/DoubleDouble.h"
+#include "../Arithmetic/PowerOfTwo.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,14 +35,6 @@ inline double nearestPowerOfTwo(double value)
   return std::ldexp(1.0, part * part < 0.5 ? exponent - 1 : exponent);
 }
 
-/// A power of two that scales this length to about 1, or as near as it can; 1 for 0.
-inline double scaleToOne(double length)
-{
-  int exponent = 0;
-  std::frexp(length, &exponent);
-  return std::ldexp(1.0, std::min(std::max(-exponent, -1000), 1000));
-}
-
 /// A unit in the last place of numbers of this magnitude. @pre finite
 inline double lastPlaceOf(double magnitude)
 {
@@ -53,7 +46,7 @@ inline double lastPlaceOf(double magnitude)
 /// The place at this fraction of the way from a to b, rounded once. @pre below 2^1000 in magnitude
 inline double between(double a, double b, double fraction)
 {
-  const double scale = scaleToOne(std::max(std::fabs(a), std::fabs(b)));
+  const double scale = powerOfTwoBelow(std::max(std::fabs(a), std::fabs(b)));
   const DoubleDouble from = { a * scale, 0.0 };
   const DoubleDouble way = exactDifference(b * scale, a * scale) * DoubleDouble{ fraction, 0.0 };
   return (from + way).value() / scale + 0.0; // 0.0 for -0.0

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -31,26 +29,6 @@ DoubleDouble wideEdge(double p, double a, double scale)
 }
 
 } // namespace
-
-double powerOfTwoBelow(double magnitude)
-{
-  constexpr int kMost = 1000, kBias = 1023, kMantissa = 52;
-  constexpr double kLeastNormal = std::numeric_limits<double>::min();
-  if (!(magnitude > 0.0) || magnitude > std::numeric_limits<double>::max())
-  {
-    return 1.0;
-  }
-  std::uint64_t bits;
-  std::memcpy(&bits, &magnitude, sizeof bits);
-  // of subnormal numbers less, which is beyond the limit anyway
-  const int exponent = magnitude < kLeastNormal ? -kBias
-                                                : static_cast<int>(bits >> kMantissa) - (kBias - 1);
-  bits = static_cast<std::uint64_t>(kBias + std::min(kMost, std::max(-kMost, -exponent)))
-    << kMantissa;
-  double power;
-  std::memcpy(&power, &bits, sizeof power);
-  return power;
-}
 
 Interpolant::Interpolant(const std::array<Sample, 3>& corners)
 {

@@ -3,6 +3,7 @@
 #define ahd_Measure_h
 
 #include "../Arithmetic/DoubleDouble.h"
+#include "../Arithmetic/PowerOfTwo.h"
 #include "../Points/Points.h"
 
 #include <array>
@@ -16,10 +17,6 @@ struct Sample
   Point at;
   double value;
 };
-
-/// The power of two that brings a magnitude into [0.5, 1), at most 2^1000 and at least 2^-1000; 1
-/// for 0 and what is not finite.
-double powerOfTwoBelow(double magnitude);
 
 /// The linear interpolation in a triangle. It is the same for its corners in any order, and up to
 /// overflow for coordinates times a power of two.
