@@ -12,6 +12,7 @@ from . import _library as library
 from ._input import DEFAULTS, Request, points_of, settings_of
 from ._keywords import KEYWORDS
 from ._raster import real_numbers, unmasked, xy_of
+from ._segments import pairs_of
 from ._triangulation import Triangulation
 from ._warnings import warn
 
@@ -117,7 +118,7 @@ class Edit:
         with made._locked():
             made._check_input()
             edit._begin(request.points, request.settings, made._dtype)
-            pairs = _pairs_of(request.arrays)
+            pairs = pairs_of(request)
         wanted = pairs[_longer(pairs, request.points)]
         if len(wanted):
             edit.constrain(wanted)
@@ -312,22 +313,6 @@ def _ids(name: str, given: Any, columns: int) -> np.ndarray:
     if ids.dtype.kind == "u" and ids.max() > np.iinfo(np.int64).max:
         raise ValueError("%s: no point has the id %d" % (name, ids.max()))
     return np.ascontiguousarray(ids, np.int64)
-
-
-def _pairs_of(arrays: Dict[str, np.ndarray]) -> np.ndarray:
-    """The segments of chains, (m, 2)."""
-    ids, offsets = arrays.get("line_ids"), arrays.get("line_offsets")
-    if ids is None:
-        return np.empty((0, 2), np.int64)
-    if ids.ndim == 2:
-        return np.stack((ids[:, :-1].ravel(), ids[:, 1:].ravel()), axis=1)
-    pairs = np.stack((ids[:-1], ids[1:]), axis=1)
-    if offsets is None:
-        return pairs
-    inside = np.ones(len(pairs), bool)
-    ends = offsets[1:-1]
-    inside[ends[(ends > 0) & (ends <= len(pairs))] - 1] = False
-    return pairs[inside]
 
 
 def _longer(pairs: np.ndarray, points: np.ndarray) -> np.ndarray:

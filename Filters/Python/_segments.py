@@ -142,6 +142,12 @@ def _chains_of(request: Request) -> Iterator[Tuple[np.ndarray, np.ndarray, bool]
         yield np.arange(count), np.array([0, count]), False
 
 
+def pairs_of(request: Request) -> np.ndarray:
+    """The ends of the segments of all chains, (m, 2), as they are given."""
+    pairs = [_numbered(*chain)[:, :2] for chain in _chains_of(request)]
+    return np.concatenate([np.empty((0, 2), np.int64), *pairs])
+
+
 def _numbered(ids: np.ndarray, offsets: np.ndarray, isClosed: bool) -> np.ndarray:
     """(k, 4): the ends of the segments of chains, the number of the chain and that of the segment within it."""
     sizes = np.diff(offsets)
