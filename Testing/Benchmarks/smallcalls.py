@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Small calls from Python: a few points, one place, a thousand places; beside scipy, the C interface and vtkDelaunay2D.
 
-Both sides of a row are measured in turns, in rounds of about 0.2 milliseconds, with one thread: the least time of a
-call counts, as others on the machine only add to it. Who is not there is left out. vtkDelaunay2D is beside the class
+Both sides of a row are measured in turns of about 5 milliseconds, with one thread: the least time of a call in a turn
+counts, as others on the machine only add to it. The first call after other code finds cold caches and takes longer. Who is not there is left out. vtkDelaunay2D is beside the class
 that is compiled with the same VTK; to call either by Python is 0.3 microseconds of the time.
 
   PYTHONPATH=<folder of adaptivehilbertdelaunay> smallcalls.py [--rounds N] [--only WORD] [--out SmallCalls.md]
@@ -42,7 +42,7 @@ def once(call, count):
 
 def in_turns(ours, theirs, rounds):
     """The least times of both."""
-    counts = [max(1, int(200 / once(call, 3))) for call in (ours, theirs)]
+    counts = [max(1, int(5000 / once(call, 3))) for call in (ours, theirs)]
     least = [math.inf, math.inf]
     for _ in range(rounds):
         for side, call in enumerate((ours, theirs)):
@@ -131,7 +131,7 @@ def processor():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--rounds", type=int, default=3000)
+    parser.add_argument("--rounds", type=int, default=300)
     parser.add_argument("--only", default="", help="calls with this word")
     parser.add_argument("--out", help="adds the table to this file")
     chosen = parser.parse_args()
