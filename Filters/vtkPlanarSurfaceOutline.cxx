@@ -404,11 +404,12 @@ void vtkPlanarSurfaceOutline::MakeOutline(
   request.points.count = points.GetCount();
   request.cells = cells.GetCounts();
   const std::size_t counted = surface.HasNumbers() ? request.cells.cells : 0;
-  ahd::OutlineMemory memory;
-  memory.limit = static_cast<std::size_t>(
-    std::min(this->MemoryLimit, VTK_TYPE_INT64_MAX / 1024) * 1024);
-  memory.other = surface.Bytes + points.EstimateBytes() + cells.EstimateBytes() +
-    sizeof(double) * counted;
+  const ahd::OutlineMemory memory = {
+    static_cast<std::size_t>(std::min(this->MemoryLimit, VTK_TYPE_INT64_MAX / 1024) * 1024),
+    surface.Bytes + points.EstimateBytes() + cells.EstimateBytes() + sizeof(double) * counted,
+    vtkAHDRingPointBytes(surface.Data)
+  };
+  ahd::CheckedMemory checked;
   const auto open = [&]
   {
     request.points = points.Open(context);
@@ -419,14 +420,11 @@ void vtkPlanarSurfaceOutline::MakeOutline(
     return request;
   };
   ahd::Outline made;
-  ahd::Status status = ahd::outlineWithin(memory, request, open, context.GetProgress(), made);
-  if (status == ahd::Status::Ok)
-  {
-    status = memory.need(vtkAHDRingsBytes(made, surface.Data));
-  }
+  const ahd::Status status = ahd::outlineWithin(
+    checked, memory, request, open, context.GetProgress(), made);
   if (status == ahd::Status::OutOfMemory || status == ahd::Status::TooManyPoints)
   {
-    vtkAHDSay(this, ahd::Topic::Refusal, memory.facts(status, request));
+    vtkAHDSay(this, ahd::Topic::Refusal, ahd::factsOf(checked, status, request));
   }
   if (status == ahd::Status::Ok)
   {

@@ -112,7 +112,7 @@ void AddCellData(const ahd::Outline& made, vtkCellData* to)
 }
 }
 
-std::size_t vtkAHDRingsBytes(const ahd::Outline& made, vtkPolyData* from)
+std::size_t vtkAHDRingPointBytes(vtkPolyData* from)
 {
   std::size_t point = 3 * sizeof(double);
   for (int k = 0; k < from->GetPointData()->GetNumberOfArrays(); ++k)
@@ -120,11 +120,7 @@ std::size_t vtkAHDRingsBytes(const ahd::Outline& made, vtkPolyData* from)
     vtkAbstractArray* const array = from->GetPointData()->GetAbstractArray(k);
     point += static_cast<std::size_t>(array->GetNumberOfComponents() * array->GetDataTypeSize());
   }
-  const auto points = std::min(
-    made.corners.size(), static_cast<std::size_t>(from->GetNumberOfPoints()));
-  const std::size_t corner = sizeof(ahd::Index) + sizeof(vtkIdType);
-  const std::size_t ring = 4 * sizeof(vtkIdType) + 1; // offset, first once more, polygon, array
-  return points * point + made.corners.size() * corner + made.rings.size() * ring;
+  return point;
 }
 
 void vtkAHDWriteRings(const ahd::Outline& made, vtkPolyData* from, vtkPolyData* to)

@@ -15,7 +15,7 @@ struct Outline;
 /// points that rings pass, in their order in `from`, with their data. Throws std::bad_alloc.
 void vtkAHDWriteRings(const ahd::Outline& made, vtkPolyData* from, vtkPolyData* to);
 
-/// Upper estimate of the bytes that they take, with one more array of the rings.
-std::size_t vtkAHDRingsBytes(const ahd::Outline& made, vtkPolyData* from);
+/// The bytes of a point, with its data.
+std::size_t vtkAHDRingPointBytes(vtkPolyData* from);
 
 #endif

@@ -93,9 +93,7 @@ class Edit:
         self._columns = 0  # of the points that came
         self._job = library.take_job()
         usual = library.defaults()
-        own = {name: settings[name] for name in ("threads", "memory_limit")}
-        if library.threads_told() and not own["threads"]:
-            own["threads"] = library.threads_told()
+        own = {"threads": library.threads_for(settings["threads"]), "memory_limit": settings["memory_limit"]}
         self._job.set(**{name: value for name, value in own.items() if value != usual[name]})
         self.insert(points)
 

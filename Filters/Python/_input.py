@@ -280,7 +280,7 @@ _PLANES = "%r, %r, %r, a (4, 4) matrix or a function" % PLANES
 def chosen_plane(points: np.ndarray, skip: Optional[np.ndarray], threads: int) -> int:
     """Of plane='automatic': PLANE_BEST_FIT for points that stand like a wall, else PLANE_XY."""
     job = library.Job()
-    job.set(threads=threads or library.threads_told())
+    job.set(threads=library.threads_for(threads))
     job.set_array("points", points)
     if skip is not None:
         job.set_array("skip", skip)
@@ -464,10 +464,8 @@ class Request:
         """A job that is ready to run, with these arrays announced."""
         job = library.take_job()
         usual = library.defaults()
-        settings = {name: value for name, value in self.settings.items() if value != usual[name]}
-        told = library.threads_told()
-        if told and "threads" not in settings:
-            settings["threads"] = told
+        settings = {**self.settings, "threads": library.threads_for(self.settings["threads"])}
+        settings = {name: value for name, value in settings.items() if value != usual[name]}
         job.set(**settings, **{"want_" + name: 1 for name in wanted})
         for name, array in self.arrays.items():
             job.set_array(name, array, self._laid_out(name))

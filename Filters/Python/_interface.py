@@ -355,6 +355,11 @@ def threads_told() -> int:
     return min(_told, processors(), 1024) if _told else 0
 
 
+def threads_for(wished: int) -> int:
+    """The setting `threads`, for a keyword: as wished; 0: as the environment says."""
+    return wished or threads_told()
+
+
 def available_memory() -> int:
     """Bytes that this process can still get without swapping."""
     return int(C.ahd_available_memory())

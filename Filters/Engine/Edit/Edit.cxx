@@ -16,13 +16,20 @@ namespace
 /// So many points are triangulated together rather than inserted one by one.
 constexpr std::size_t kLeastForBulk = 256;
 
+/// Bytes of the lists by id and by vertex.
+constexpr std::size_t kPerId = sizeof(Point) + 2 * sizeof(Index) + 1;
+
 } // namespace
+
+std::size_t Edit::heldMemory() const
+{
+  return places_.size() * kPerId + LivingMesh::bytesFor(mesh_.vertexCount());
+}
 
 std::size_t Edit::memoryEstimate(std::size_t more) const
 {
   const std::size_t count = places_.size() + more;
-  const std::size_t kept = count * (sizeof(Point) + 2 * sizeof(Index) + 1) +
-    LivingMesh::bytesFor(count) + Hints::bytesFor(count);
+  const std::size_t kept = count * kPerId + LivingMesh::bytesFor(count) + Hints::bytesFor(count);
   const std::size_t built = triangulationMemoryEstimate(count, Options()) +
     tableMemoryEstimate(count);
   return 2 * kept + (isBulk(more) ? built : CurveOrder::mostBytes(more)); // vectors double

@@ -127,6 +127,8 @@ public:
     return id >= 0 && static_cast<std::size_t>(id) < places_.size() && gone_[Index(id)] == 0;
   }
 
+  /// Lower estimate of the bytes that it takes.
+  std::size_t heldMemory() const;
   /// Upper estimate of the bytes that it takes, and needs meanwhile, with `more` points. Segments:
   /// 250 bytes for each, and each edge of one.
   std::size_t memoryEstimate(std::size_t more) const;

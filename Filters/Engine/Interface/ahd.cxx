@@ -24,18 +24,18 @@ namespace
 
 ahd_status outlineOf(ahd_job* job, bool isDirected, ahd_outline_report* report)
 {
-  ahd::OutlineMemory memory;
+  ahd::CheckedMemory checked;
   const ahd::Outline* made = nullptr;
   const ahd_status status = call(job,
     [&](ahd::Job& own)
     {
-      own.makeOutline(memory, isDirected);
+      own.makeOutline(checked, isDirected);
       made = &own.outline();
     });
   if (report)
   {
-    *report = { made ? made->unfitCells : 0, made ? made->unfitEdges : 0, memory.needed,
-      memory.allowed, int32_t(made ? made->plane : ahd::OutlinePlane::Xy) };
+    *report = { made ? made->unfitCells : 0, made ? made->unfitEdges : 0, checked.needed,
+      checked.allowed, int32_t(made ? made->plane : ahd::OutlinePlane::Xy) };
   }
   return status;
 }

@@ -41,7 +41,9 @@
  * turns the other way): then in y, z or z, x, whichever the surface is more parallel to. For a
  * surface of another plane give plane_points.
  *
- * Of the settings, memory_limit and other_memory apply.
+ * Of the settings, memory_limit, other_memory and other_memory_per_point apply. The last one, if
+ * not 0, is that of arrays the caller writes for each point of the outline; then 24 bytes a corner
+ * and 33 a ring count, too.
  */
 
 #include "ahd.h"

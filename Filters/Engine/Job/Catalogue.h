@@ -74,6 +74,13 @@ constexpr Row kRows[] = {
   { Topic::Refusal, "out of memory to outline", "refused=memory doing=outlining",
     "Out of memory while outlining {polygons} cells; about {needed} are needed. Take fewer "
     "cells." },
+  { Topic::Refusal, "memory to refine", "refused=limit doing=refining",
+    "Refining the triangles of {points} points takes more than {of_memory}. Nothing was added. "
+    "Take "
+    "larger triangles or a smaller angle, add fewer points, {or_set_limit}" },
+  { Topic::Refusal, "memory to edit", "refused=limit doing=editing",
+    "Editing {points} points may take {of_memory}. None was inserted. Insert fewer points, "
+    "{or_set_limit}" },
   { Topic::Refusal, "memory of a rank", "refused=limit doing=distributing",
     "{work} {points} points on {ranks} ranks may take {needed} of memory on rank "
     "{rank}{share+{share}}, but {but_allowed}. The output is empty. Take fewer points or more "

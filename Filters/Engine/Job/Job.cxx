@@ -82,7 +82,7 @@ void Job::runWith(const Context& context)
   const RunSettings asked = this->asked();
   InputRequest request = this->request(asked);
   Run run(asked, request, callersMemory(), workspace_, report_);
-  check(run.check(static_cast<std::size_t>(settings[IntSetting::MemoryLimit]), 0));
+  check(run.check(memoryLimit(), 0));
   progress.beginRun(run.stages());
   result_ = std::make_unique<JobResult>();
   JobResult& made = *result_;

@@ -6,6 +6,7 @@
 #include "../Core/Threads.h"
 #include "../Edit/Edit.h"
 #include "../Refine/Refine.h"
+#include "CheckedMemory.h"
 #include "InputArrays.h"
 #include "OutlineRun.h"
 #include "Progress.h"
@@ -78,7 +79,7 @@ public:
   void toPlane(double* xyz, std::size_t count);
 
   /// Makes the outline of the array cells, without a run. `isDirected`: see OutlineRequest.
-  void makeOutline(OutlineMemory& memory, bool isDirected);
+  void makeOutline(CheckedMemory& checked, bool isDirected);
   /// A byte for each of the array cells, triangles: 1 if the radius of its circumcircle in space is
   /// not greater.
   void findWithin(double radius, std::uint8_t* kept);
@@ -148,6 +149,10 @@ private:
   void refuseUsedUp(const RunSettings& asked) const;
   InputRequest request(const RunSettings& asked) const;
   CallersMemory callersMemory() const;
+  std::size_t memoryLimit() const
+  {
+    return static_cast<std::size_t>(settings[IntSetting::MemoryLimit]);
+  }
   void open(const Context& context, InputRequest& request);
   Plane fittedPlane();
   void select(const Context& context);

@@ -3,7 +3,6 @@
 // The points and segments of a job that are edited.
 #include "Job.h"
 
-#include "../Core/Memory.h"
 #include "Refusal.h"
 
 namespace ahd
@@ -28,18 +27,18 @@ const Edit& Job::edited()
 
 void Job::checkEditMemory(std::size_t more)
 {
-  const auto limit = static_cast<std::size_t>(settings[IntSetting::MemoryLimit]);
+  const std::size_t limit = memoryLimit();
   if (more == 0 || (limit == 0 && more < kMany))
   {
     return;
   }
-  const std::size_t allowed = limit > 0 ? limit : availableMemory();
-  const std::size_t needed = callersMemory().bytes + edited().memoryEstimate(more);
-  if (needed > allowed)
+  const std::size_t held = edited().heldMemory();
+  CheckedMemory checked(limit, held);
+  const Status status = checked.need(callersMemory().bytes + edited().memoryEstimate(more) - held);
+  if (status != Status::Ok)
   {
     refuse(Reason::MemoryLimit,
-      { { "points", edited().pointCount() + more }, { "memory_limit", limit },
-        { "memory_estimate", needed }, { "memory_allowed", allowed } });
+      checked.facts(status, "editing", { "points", edited().pointCount() + more }));
   }
 }
 

@@ -56,7 +56,7 @@ const Outline& Job::outline() const
   return *outline_;
 }
 
-void Job::makeOutline(OutlineMemory& memory, bool isDirected)
+void Job::makeOutline(CheckedMemory& checked, bool isDirected)
 {
   outline_.reset();
   OutlineRequest request;
@@ -70,8 +70,7 @@ void Job::makeOutline(OutlineMemory& memory, bool isDirected)
       "\"cell_groups\" has " + std::to_string(groups.rows) + " rows, and there are " +
         std::to_string(request.cells.cells) + " cells.");
   }
-  memory.limit = static_cast<std::size_t>(settings[IntSetting::MemoryLimit]);
-  memory.other = callersMemory().bytes;
+  const CallersMemory callers = callersMemory();
   const Apart apart(progress);
   auto made = std::make_unique<Outline>();
   OpenInput input;
@@ -86,10 +85,11 @@ void Job::makeOutline(OutlineMemory& memory, bool isDirected)
     progress.expectLastPhase();
     return request;
   };
-  const Status status = outlineWithin(memory, request, open, progress, *made);
+  const Status status = outlineWithin(checked,
+    { memoryLimit(), callers.bytes, callers.perAddedPoint }, request, open, progress, *made);
   if (status == Status::OutOfMemory)
   {
-    refuse(reasonOf(status, memory.isRefused), memory.facts(status, request));
+    refuse(reasonOf(status, checked.isRefused), factsOf(checked, status, request));
   }
   ahd::check(status);
   ahd::check(progress.finish() ? Status::Ok : Status::Cancelled);

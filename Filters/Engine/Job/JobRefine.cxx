@@ -3,7 +3,6 @@
 // The refinement of a job's result.
 #include "Job.h"
 
-#include "../Core/Memory.h"
 #include "Refusal.h"
 
 #include <string>
@@ -60,27 +59,26 @@ const Refinement& Job::refine(const RefineRequest& request)
   std::size_t at = 0;
   const RefineFault fault = findRefineFault(made.triangulation, request, at);
   refuseFault(request, fault, at);
-  const auto limit = static_cast<std::size_t>(settings[IntSetting::MemoryLimit]);
-  const std::size_t points = made.points.points().count,
-                    allowed = limit > 0 ? limit : availableMemory();
-  // What is available is beside the triangulation.
-  const std::size_t held = tableMemoryEstimate(points) +
-    (limit > 0 ? static_cast<std::size_t>(settings[IntSetting::OtherMemory]) +
-          triangulatedMemoryEstimate(points, made.asked.options)
-               : 0);
-  AskedMemory& asked = progress.asked();
+  const std::size_t points = made.points.points().count;
+  CheckedMemory checked(memoryLimit(), triangulatedMemoryEstimate(points, made.asked.options));
+  Status status = checked.need(callersMemory().bytes + tableMemoryEstimate(points));
   const Apart apart(progress);
-  asked.limitTo(allowed > held ? allowed - held : 0);
   auto found = std::make_unique<Refinement>();
-  Status status = Status::Ok;
   progress.expectLastPhase();
-  withThreads([&](const Context& context)
-    { status = ahd::refine(made.triangulation, request, context, *found); });
-  if (status == Status::OutOfMemory && asked.wasRefused())
+  const auto refineIt = [&](const Context& context)
+  { status = ahd::refine(made.triangulation, request, context, *found); };
+  if (status == Status::Ok)
   {
-    refuse(Reason::MemoryLimit,
-      { { "points", points }, { "memory_limit", limit }, { "memory_estimate", held + asked.most() },
-        { "memory_allowed", allowed } });
+    checked.request(progress.asked(),
+      [&]
+      {
+        withThreads(refineIt);
+        return status;
+      });
+  }
+  if (checked.isRefused)
+  {
+    refuse(Reason::MemoryLimit, checked.facts(status, "refining", { "points", points }));
   }
   ahd::check(status);
   ahd::check(progress.finish() ? Status::Ok : Status::Cancelled);

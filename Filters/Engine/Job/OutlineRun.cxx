@@ -1,41 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OutlineRun.h"
 
-#include "../Core/Memory.h"
-
 namespace ahd
 {
 
-Status OutlineMemory::need(std::size_t bytes)
+Status outlineWithin(CheckedMemory& checked, const OutlineMemory& memory,
+  const OutlineRequest& request, const std::function<OutlineRequest()>& open, RunProgress& progress,
+  Outline& out)
 {
-  needed += bytes;
-  isRefused = needed > allowed;
-  return isRefused ? Status::OutOfMemory : Status::Ok;
-}
-
-Facts OutlineMemory::facts(Status status, const OutlineRequest& request) const
-{
-  return { { "reason", reasonOf(status, isRefused) }, { "doing", "outlining" },
-    { "polygons", request.cells.cells }, { "memory_limit", limit }, { "memory_estimate", needed },
-    { "memory_allowed", allowed } };
-}
-
-Status outlineWithin(OutlineMemory& memory, const OutlineRequest& request,
-  const std::function<OutlineRequest()>& open, RunProgress& progress, Outline& out)
-{
-  memory.allowed = memory.limit > 0 ? memory.limit : availableMemory();
-  memory.needed = memory.other;
-  if (memory.need(outlineMemoryEstimate(request)) != Status::Ok)
+  checked = CheckedMemory(memory.limit);
+  if (checked.need(memory.other + outlineMemoryEstimate(request)) != Status::Ok)
   {
     return Status::OutOfMemory;
   }
-  AskedMemory& asked = progress.asked();
-  asked.limitTo(memory.allowed - memory.needed);
-  const Status status = outline(open(), Context{ &progress, nullptr }, out);
+  const Status status = checked.request(progress.asked(),
+    [&] {
+      return outline(open(), Context{ &progress, nullptr }, out);
+    });
   progress.finishPhase();
-  memory.needed += asked.most();
-  memory.isRefused = status == Status::OutOfMemory && asked.wasRefused();
-  return status;
+  return status == Status::Ok
+    ? checked.need(ringsMemoryEstimate(out, request.points.count, memory.perPoint))
+    : status;
 }
 
 Facts factsOf(const Outline& made)

@@ -3,6 +3,7 @@
 #define ahd_OutlineRun_h
 
 #include "../Outline/Outline.h"
+#include "CheckedMemory.h"
 #include "Messages.h"
 #include "RunProgress.h"
 
@@ -12,26 +13,26 @@
 namespace ahd
 {
 
-/// The memory of an outline, in bytes.
+/// The caller's part of the memory of an outline, in bytes.
 struct OutlineMemory
 {
-  std::size_t other = 0;   ///< of the caller
-  std::size_t limit = 0;   ///< 0: what the process can get
-  std::size_t needed = 0;  ///< with the caller's, and what was requested meanwhile
-  std::size_t allowed = 0; ///< the limit it was compared with
-  bool isRefused = false;  ///< more is needed than allowed
-
-  /// Ok, or OutOfMemory: more is needed than allowed with these bytes.
-  Status need(std::size_t bytes);
-  /// Those of a refusal, or of running out.
-  Facts facts(Status status, const OutlineRequest& request) const;
+  std::size_t limit = 0;    ///< 0: what the process can get
+  std::size_t other = 0;    ///< what the caller holds
+  std::size_t perPoint = 0; ///< arrays that the caller writes, for each point of the outline
 };
 
 /// outline(), unless it takes more memory than allowed: then OutOfMemory, before or in the middle.
-/// `request`: with the sizes alone; open() returns it with the arrays, and may throw.
-Status outlineWithin(OutlineMemory& memory, const OutlineRequest& request,
-  const std::function<OutlineRequest()>& open, RunProgress& progress, Outline& out);
+/// `checked` has what was needed. `request`: with the sizes alone; open() returns it with the
+/// arrays, and may throw.
+Status outlineWithin(CheckedMemory& checked, const OutlineMemory& memory,
+  const OutlineRequest& request, const std::function<OutlineRequest()>& open, RunProgress& progress,
+  Outline& out);
 
+/// The facts of a refused outline, or of one that ran out of memory.
+inline Facts factsOf(const CheckedMemory& checked, Status status, const OutlineRequest& request)
+{
+  return checked.facts(status, "outlining", { "polygons", request.cells.cells });
+}
 /// The facts of Topic::Outline.
 Facts factsOf(const Outline& made);
 

@@ -349,6 +349,16 @@ std::size_t outlineMemoryEstimate(const OutlineRequest& request)
     toMerge, 21 * request.cells.ids + 8 * request.points.count + 17 * request.cells.cells);
 }
 
+std::size_t ringsMemoryEstimate(const Outline& made, std::size_t points, std::size_t perPoint)
+{
+  constexpr std::size_t kCorner = 3 * sizeof(std::int64_t); // its id, twice more to number points
+  constexpr std::size_t kRing = 4 * sizeof(std::int64_t) +
+    1; // offset, first once more, two numbers
+  return perPoint == 0 ? 0
+                       : std::min(made.corners.size(), points) * perPoint +
+      made.corners.size() * kCorner + made.rings.size() * kRing;
+}
+
 Status outline(const OutlineRequest& request, const Context& context, Outline& out)
 {
   out = Outline();

@@ -66,6 +66,11 @@ struct Outline
 /// edges in the outline: 32 for each, which it requests by Progress::take().
 std::size_t outlineMemoryEstimate(const OutlineRequest& request);
 
+/// Upper estimate of the bytes of what is written of an outline of a surface of so many points:
+/// closed rings of ids with 64 bits, whether each is a hole, its polygon, and a number of it;
+/// `perPoint` for each point that rings pass. 0 if that is 0: nothing is written.
+std::size_t ringsMemoryEstimate(const Outline& made, std::size_t points, std::size_t perPoint);
+
 /// Makes the outline. Points at one place, in space, count as the one of smallest id: cells are
 /// joined by places. Time: O(c + p log p) for c corners of cells and p points. The phase is
 /// Phase::Outputs.

@@ -66,6 +66,12 @@ class _Surface:
             numbers[view(self.ghosts)[part] & LEFT_OUT != 0] = numpy.nan
         return numbers
 
+    def bytes_per_point(self):
+        """Of the points that are written, with their data."""
+        data = self.points.GetPointData()
+        arrays = [data.GetAbstractArray(k) for k in range(data.GetNumberOfArrays())]
+        return min(24 + sum(array.GetNumberOfComponents() * array.GetDataTypeSize() for array in arrays), 2**31 - 1)
+
     def lacks(self):
         """Facts for messages."""
         return {"unfit_group": self.group_name if self.lacks_groups else "", "polygon_strips": self.strips,
@@ -151,11 +157,7 @@ class _Outlining:
             for text in messages.said(engine.SAY_OUTLINE, surface.lacks()):
                 speaker.warn(text)
             self._outline(surface, job, report)
-            writer = _Writer(vtk, surface, job, output)
-            report.memory_needed += writer.bytes()
-            if report.memory_needed > report.memory_allowed:
-                raise engine.OutOfMemory("", engine.MEMORY_LIMIT)
-            writer.write()
+            _Writer(vtk, surface, job, output).write()
             facts = {"unfit_cells": report.unfit_cells, "unfit_edges": report.unfit_edges}
             for text in messages.said(engine.SAY_OUTLINE, facts):
                 speaker.warn(text)
@@ -172,7 +174,7 @@ class _Outlining:
     def _outline(self, surface, job, report):
         offsets, ids = ids_of(self._backend, surface.polygons, "polygons")
         limit = self._values["MemoryLimit"]
-        job.set(memory_limit=min(limit * 1024, 2**62))
+        job.set(memory_limit=min(limit * 1024, 2**62), other_memory_per_point=surface.bytes_per_point())
         job.set_progress(Progress(self))
         for name, array in (("points", coordinates(self._backend, surface.points.GetPoints())), ("cells", ids),
                             ("cell_offsets", offsets), ("cell_groups", None if ids is None else surface.numbers())):
@@ -202,14 +204,6 @@ class _Writer:
         self.backend, self.surface, self.output = backend, surface, output
         self.corners, self.rings, self.polygons, self.cells = (
             job.array("outline_" + name, numpy.int64) for name in ("points", "rings", "polygons", "cells"))
-
-    def bytes(self):
-        """Upper estimate of what is written."""
-        given = self.surface.points
-        arrays = [given.GetPointData().GetAbstractArray(k) for k in range(given.GetPointData().GetNumberOfArrays())]
-        point = 24 + sum(array.GetNumberOfComponents() * array.GetDataTypeSize() for array in arrays)
-        points = min(len(self.corners), given.GetNumberOfPoints())
-        return points * point + len(self.corners) * 24 + len(self.rings) * 33
 
     def write(self):
         vtk, rings = self.backend, len(self.rings) - 1

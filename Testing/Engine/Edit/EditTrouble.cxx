@@ -159,6 +159,22 @@ TEST(EditTrouble, AnyAllocationMayFail)
   }
 }
 
+TEST(EditTrouble, MemoryIsBetweenItsEstimates)
+{
+  const std::size_t before = account.held;
+  Edit edit = made(makePoints(Distribution::Uniform, 5000, 3));
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    const std::size_t taken = account.held - before;
+    EXPECT_LE(edit.heldMemory(), taken);
+    EXPECT_GT(2 * edit.heldMemory(), taken);
+    EXPECT_GE(edit.memoryEstimate(0), taken);
+    std::int64_t first = 0;
+    EXPECT_EQ(edit.insert(viewOf(makePoints(Distribution::Uniform, 3000, 4)), Context(), first),
+      Status::Ok);
+  }
+}
+
 TEST(EditTrouble, IdsThatNoPointHasAreRefused)
 {
   Edit edit = made(makePoints(Distribution::Uniform, 10, 3));

@@ -123,7 +123,7 @@ static void test_refusals(void)
   CHECK(kind == AHD_NOWHERE && place[0] == -1);
   CHECK_OK(job, ahd_set_int(job, "memory_limit", 1000));
   CHECK_STATUS(job, AHD_MEMORY_LIMIT, ahd_edit_insert(job, xy, kMany, &first));
-  CHECK_SAYS(job, "50000 points");
+  CHECK_SAYS(job, "Editing 50000 points");
   CHECK_OK(job, ahd_set_int(job, "memory_limit", 0));
   CHECK_OK(job, ahd_set_progress(job, cancel, &calls));
   CHECK_STATUS(job, AHD_CANCELLED, ahd_edit_insert(job, xy, kMany, &first));

@@ -123,6 +123,7 @@ static void test_refusals(void)
   sizes[7] = 1.0;
   CHECK_OK(job, ahd_set_int(job, "memory_limit", 20000));
   CHECK_STATUS(job, AHD_MEMORY_LIMIT, ahd_refine(job, &wished, &report));
+  CHECK_SAYS(job, "Refining the triangles of");
   CHECK_OK(job, ahd_set_int(job, "memory_limit", 0));
   CHECK_OK(job, ahd_set_progress(job, cancel, NULL));
   CHECK_STATUS(job, AHD_CANCELLED, ahd_refine(job, &wished, &report));

@@ -221,7 +221,7 @@ class EditTest(unittest.TestCase):
         self.assertEqual(edit.done().constraint_edges.tolist(), [[0, 1], [1, 2]])
 
     def test_memory_and_progress_of_many(self):
-        with self.assertRaisesRegex(MemoryError, "100000 points"):
+        with self.assertRaisesRegex(MemoryError, "Editing 100000 points"):
             Edit(memory_limit="1 MB").insert(cloud(1, 100000))
         edit = Edit(cloud(1, 5), memory_limit="1 MB")
         with self.assertRaises(MemoryError):

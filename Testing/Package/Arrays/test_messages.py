@@ -104,7 +104,8 @@ def refusals():
     yield {"reason": engine.MEMORY_LIMIT, **LIMIT, "memory_estimate": 2**62}
     yield {"reason": engine.MEMORY_LIMIT, **LIMIT, "is_in_kib": 0}
     for doing, more in (("interpolating", {"places": 2.0**62, "of_triangulation": 1}), ("merging", {}), ("making", {}),
-                        ("outlining", {"polygons": 50}), ("sampling", {"places": 30, "memory_needed": 700}),
+                        ("outlining", {"polygons": 50}), ("refining", {}), ("editing", {}),
+                        ("sampling", {"places": 30, "memory_needed": 700}),
                         ):  # fmt: skip
         yield {"reason": engine.MEMORY_LIMIT, "doing": doing, **LIMIT, **more}
     on_rank = {"reason": engine.MEMORY_LIMIT, **LIMIT, "of_rank": 1, "rank": 2}
