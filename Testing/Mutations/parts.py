@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The tests of a part of the product, and how a fault is planted for them.
 
-A part has the `names` of its tests. `measure(test, limit)` runs one without a fault and returns the files or lines of
-the product that it runs; `concerns(facts, fault)` tells whether a test with these can notice a fault; `run(test,
-limit)` runs it. `plant(fault)` changes a file of its copy and builds, `heal(fault)` changes it back: the sources may
-change meanwhile.
+A part has the `names` of its tests. `measure(test, limit)` runs one without a fault and returns the lines that it
+executes (lines.py); `run(test, limit)` runs it. `plant(fault)` changes a file of its copy and builds, `heal(fault)`
+changes it back: the sources may change meanwhile.
 """
 
 import dataclasses
+import fnmatch
 import json
 import pathlib
 import re
@@ -76,8 +76,7 @@ def part_for(folder, work, jobs, python, package):
 class PythonPart(workshop.Workshop):
     """The Python package: a copy of a built one, with the modules of the sources, and its tests without a build.
 
-    `python` has the VTK and PyVista of PyPI, or the tests that need them are left out. A test is run for a fault only
-    where it loads the module.
+    `python` has the VTK and PyVista of PyPI, or the tests that need them are left out.
     """
 
     def __init__(self, folder, jobs, python, package):
@@ -104,7 +103,7 @@ class PythonPart(workshop.Workshop):
                 target = self.place / path.relative_to(self.source / PYTHON)
                 target.parent.mkdir(exist_ok=True)
                 shutil.copyfile(path, target)
-        (self.folder / "package" / "sitecustomize.py").write_text(TELL_WHAT_IS_LOADED)
+        shutil.copyfile(pathlib.Path(__file__).with_name("tell_lines.py"), self.folder / "package" / "sitecustomize.py")
 
     def can_run(self, script):
         needed = "pyvista" if "pyvista" in script.lower() else "vtkmodules"
@@ -113,21 +112,19 @@ class PythonPart(workshop.Workshop):
     def path(self, file):
         return self.place / pathlib.PurePosixPath(file).relative_to(PYTHON)
 
-    def run(self, test, limit):
-        loaded = self.folder / "loaded.txt"
-        loaded.unlink(missing_ok=True)
-        environment = {**self.environment, "AHD_TELL_LOADED": str(loaded)}
-        ran = workshop.execute([self.python, str(self.tests_folder / test)], self.folder, limit, environment)
-        self.loaded = loaded.read_text().split() if loaded.exists() else []
-        return ran
+    def run(self, test, limit, **environment):
+        command = [self.python, str(self.tests_folder / test)]
+        return workshop.execute(command, self.folder, limit, {**self.environment, **environment})
 
     def measure(self, test, limit):
-        """How it runs without a fault, and the files that it loads; all of them if unknown."""
-        ran = self.run(test, limit)
-        return ran, sorted({str(pathlib.PurePath(path).relative_to(self.place)) for path in self.loaded})
-
-    def concerns(self, facts, fault):
-        return not facts or str(self.path(fault.file).relative_to(self.place)) in facts
+        """How it runs without a fault, and the lines that it executes."""
+        told = self.folder / "lines.txt"
+        told.unlink(missing_ok=True)
+        self.run(test, limit, AHD_TELL_LINES=str(told))  # limits of time may fail here
+        rows = told.read_text().splitlines() if told.exists() else []
+        facts = lines.joined(json.loads(row) for row in rows)
+        named = {kind: {f"{PYTHON}/{file}": those for file, those in files.items()} for kind, files in facts.items()}
+        return self.run(test, limit), named
 
     def plant(self, fault):
         self.before = self.path(fault.file).read_text()
@@ -140,20 +137,6 @@ class PythonPart(workshop.Workshop):
 
     def heal(self, fault):
         self.path(fault.file).write_text(self.before)
-
-
-# For the interpreters of the tests: at their end they report the modules loaded of the package.
-TELL_WHAT_IS_LOADED = '''\
-import atexit, os, sys
-
-def _tell(file=os.environ.get("AHD_TELL_LOADED")):
-    paths = [getattr(module, "__file__", None) for module in list(sys.modules.values())]
-    if file:
-        with open(file, "a") as out:
-            out.write("".join(path + "\\n" for path in paths if path and "/adaptivehilbertdelaunay/" in path))
-
-atexit.register(_tell)
-'''
 
 
 def system_python():
@@ -171,39 +154,51 @@ class CxxPart(workshop.Workshop):
         super().__init__(folder, jobs, ALL_FOLDERS, ALL_FILES)
         self.wanted = tests
         self.build_folder = self.source / "build"
-        self.make(self.build_folder)
+        self.make(self.build_folder, "ccache" if shutil.which("ccache") else "")
         self.commands = self.all_commands(self.build_folder)
         self.names = list(self.commands)
-        counting = self.source / "counting"
-        self.make(counting, "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O0 -DNDEBUG -w --coverage")
-        self.counting_commands = self.all_commands(counting)
-        self.executed = lines.Executed(counting, self.source, part)
+        group = lines.group_of(part)
+        self.counting = self.source / ("counting-" + group.rpartition("/")[2].lower())
+        self.executed = lines.Executed(self.counting, self.source, group)
+        self.counting_commands = {}  # built when the first is wanted
 
-    def make(self, build, *options):
+    def make(self, build, launcher, *options):
         """Configures a build if needed, and updates it."""
         if not (build / "build.ninja").exists():
             command = ["cmake", "-S", self.source, "-B", build, "-G", "Ninja", "-DBUILD_TESTING=ON", *system_python(),
-                       *(options or ["-DCMAKE_BUILD_TYPE=Release"])]  # fmt: skip
-            if shutil.which("ccache"):
-                command.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
+                       "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_LINK_DEPENDS_NO_SHARED=ON", *options]  # fmt: skip
+            if launcher:
+                command.append(f"-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}")
             workshop.run_quietly(command)
         workshop.run_quietly(["ninja", "-C", build, f"-j{self.jobs}", *self.wanted.targets])
+
+    def make_counting(self):
+        launcher = self.folder / (self.counting.name + ".sh")
+        cache = "ccache" if shutil.which("ccache") else ""
+        self.write(launcher, lines.LAUNCHER.format(group=self.executed.folder, cache=cache).encode())
+        launcher.chmod(0o755)
+        linked = [f"-DCMAKE_{kind}_LINKER_FLAGS=--coverage" for kind in ("EXE", "SHARED", "MODULE")]
+        self.make(self.counting, launcher, *linked)
+        self.counting_commands = self.all_commands(self.counting)
 
     def all_commands(self, build):
         return {**dict(self.programs(build)), **dict(self.listed(build))}
 
     def programs(self, build):
-        """Each test of the programs of GoogleTest by itself."""
+        """Each suite of the programs of GoogleTest by itself, and each test that wants a process of its own."""
         for program, chosen in self.wanted.programs:
             words = [build / "bin" / program, "--gtest_color=no"]
             command = [*words, "--gtest_list_tests", "--gtest_filter=" + chosen]
-            suite = ""
+            suites, suite = {}, ""
             for line in subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines():
                 name = line.partition("#")[0].strip()
                 if not line.startswith(" "):
                     suite = name
                 else:
-                    yield f"{program} {suite}{name}", ([*words, f"--gtest_filter={suite}{name}"], {})
+                    alone = fnmatch.fnmatch(suite + name, workshop.WANT_A_PROCESS)
+                    suites.setdefault(suite + (name if alone else "*"), []).append(suite + name)
+            for suite, names in suites.items():
+                yield f"{program} {suite}", ([*words, "--gtest_filter=" + ":".join(names)], {})
 
     def listed(self, build):
         """Commands and environments of tests from ctest."""
@@ -222,20 +217,18 @@ class CxxPart(workshop.Workshop):
         return workshop.execute(command, self.folder, limit, {**environment, "GTEST_FAIL_FAST": "1"})
 
     def measure(self, test, limit):
-        """How it runs without a fault, and the lines that it executes; all of them where they were not counted."""
+        """How it runs without a fault, and the lines that it executes; none where they were not counted."""
+        if not self.counting_commands:
+            self.make_counting()
         self.executed.forget()
         if test in self.counting_commands:
             self.execute(self.counting_commands[test], limit)  # limits of time or memory may fail here
         return self.run(test, limit), self.executed.read()
 
-    def concerns(self, facts, fault):
-        around = self.executed.around(fault)
-        return not facts or not around or not facts.isdisjoint(around)
-
     def plant(self, fault):
         self.before = (self.source / fault.file).read_text()
         (self.source / fault.file).write_text(fault.apply(self.before))
-        self.make(self.build_folder)
+        self.make(self.build_folder, "")
 
     def heal(self, fault):
         (self.source / fault.file).write_text(self.before)

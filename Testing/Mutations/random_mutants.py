@@ -8,23 +8,26 @@
 A fault is a comparison flipped, a bound off by one, a condition negated, a statement, an assignment to a member or a
 lock removed, a constant or an operator changed, an early return, arguments swapped, `and` for `or`, an exception
 swallowed. Each line that is executed is as likely as any other; the seed decides. What does not compile is drawn
-again. Of the tests of that folder (parts.py) those run that load the file (Python) or execute the line (C++), the
-quick ones first, until the first that fails; more than three
-times the usual processor time, or thirty times on the clock, is noticed too. Python is tested in a copy of a built
-package, C++ in a build of its own. Results are kept in the work folder as they come: what has one is not run again.
+again. Of the tests of that folder (parts.py) those run that execute the line, first those that are quick and noticed
+most before, until the first that fails; more than three times the usual processor time, or thirty times on the clock,
+is noticed too. Python is tested in a copy of a built package, C++ in a build of its own. Results, and what each test
+executes, are kept in the work folder as they come: what has a result is not run again.
 judged.toml lists which faults change nothing that is promised, and why.
 
 exit code  0 every fault was noticed but the equivalent ones; 1 not so; 2 could not run
 """
 
 import argparse
+import collections
 import dataclasses
 import datetime
 import json
 import pathlib
 import sys
 import tomllib
+import urllib.parse
 
+import lines
 import parts
 import planting
 import random_report
@@ -73,7 +76,7 @@ class Campaign:
         kept = json.loads(self.file.read_text()) if self.file.exists() else {}
         self.results = kept.get("results", {})  # by the fault's key
         self.runs = kept.get("runs", {})  # by folder and seed: keys of faults
-        self.usual = {}  # by test: seconds of processor time, and the parts of the product that it runs
+        self.usual = {}  # by test: seconds of processor time, and the lines of the product that it executes
 
     def keep(self):
         text = json.dumps({"results": self.results, "runs": self.runs}, indent=1)
@@ -81,18 +84,26 @@ class Campaign:
         self.file.with_suffix(".new").replace(self.file)
 
     def measure(self, part):
-        """Runs each test without a fault. Raises BuildError if one does not pass."""
+        """Runs each test without a fault, unless that is known of the same sources. Raises BuildError if one does not
+        pass.
+        """
+        known = self.file.parent / "measured" / part.digest()
+        known.mkdir(parents=True, exist_ok=True)
         for test in part.names:
-            ran, facts = part.measure(test, 3000)
-            if ran.failure:
-                raise workshop.BuildError(f"{test} fails without a fault: {ran.failure}")
-            self.usual[test] = (ran.cpu, facts)
-            print(f"{test}: {ran.cpu:.1f} s", flush=True)
+            file = known / (urllib.parse.quote(test, safe="") + ".json")
+            if not file.exists():
+                ran, facts = part.measure(test, 3000)
+                if ran.failure:
+                    raise workshop.BuildError(f"{test} fails without a fault: {ran.failure}")
+                file.write_text(json.dumps([ran.cpu, facts]))
+                print(f"{test}: {ran.cpu:.1f} s", flush=True)
+            self.usual[test] = json.loads(file.read_text())
 
     def order(self, part, fault):
-        """The tests that can notice, the quick ones first, and last those that compare hashes."""
-        those = [test for test in part.names if part.concerns(self.usual[test][1], fault)]
-        return sorted(those, key=lambda test: ("hash" in test.lower(), self.usual[test][0]))
+        """The tests that can notice: the quick ones and those that noticed most first, those of hashes last."""
+        noticed = collections.Counter(result["test"] for result in self.results.values() if result)
+        those = [test for test in part.names if lines.shows(self.usual[test][1], fault)]
+        return sorted(those, key=lambda test: ("hash" in test.lower(), self.usual[test][0] / (1 + noticed[test])))
 
     def run(self, part, fault):
         """The result of a fault: `test` and `failure` are empty if it survived; None if it does not compile."""

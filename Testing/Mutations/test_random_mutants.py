@@ -5,6 +5,7 @@ import argparse
 import contextlib
 import io
 import json
+import os
 import pathlib
 import shutil
 import subprocess
@@ -198,6 +199,7 @@ class Part:
     def __init__(self, root):
         self.root = root
         self.planted = []
+        self.measured = 0
 
     def plant(self, fault):
         self.planted.append(fault.key())
@@ -213,10 +215,11 @@ class Part:
         return workshop.execute([sys.executable, "-B", "script.py"], self.root, 1, {})
 
     def measure(self, test, limit):
-        return self.run(test, limit), ["module.py"]
+        self.measured += 1
+        return self.run(test, limit), {"executed": {"part/module.py": [1, 2, 3]}, "counted": {}}
 
-    def concerns(self, facts, fault):
-        return fault.file.rpartition("/")[2] in facts
+    def digest(self):
+        return "of the same sources"
 
 
 class CampaignTest(unittest.TestCase):
@@ -256,6 +259,7 @@ class CampaignTest(unittest.TestCase):
         self.assertEqual(more[:4], first)
         self.assertEqual(len(set(self.part.planted)), len(self.part.planted))
         self.assertGreaterEqual(len(self.part.planted), begun + 2)
+        self.assertEqual(self.part.measured, 1)  # the sources are those that it was measured with
         self.part.planted.clear()
         self.campaign(6, "survivors")
         self.assertEqual(len(self.part.planted), sum(not result["test"] for result in more))
@@ -295,6 +299,33 @@ int main()
 }
 """
 
+TWO_IN_PYTHON = """\
+def taken(value):
+    return value + 1
+
+
+def threaded(value):
+    value += 1
+    return value
+
+
+def elsewhere(value):
+    return value + 1
+
+
+def unseen(value):
+    return (
+        value + 2)
+"""
+CALLS = """
+two.taken(1)
+thread = threading.Thread(target=two.threaded, args=(1,))
+thread.start()
+thread.join()
+elsewhere = "import adaptivehilbertdelaunay.two as two; two.elsewhere(1)"
+subprocess.run([sys.executable, "-c", elsewhere], check=True)
+"""
+
 
 @unittest.skipUnless(shutil.which("g++") and shutil.which("gcov"), "g++ and gcov count lines")
 class LinesTest(unittest.TestCase):
@@ -307,19 +338,45 @@ class LinesTest(unittest.TestCase):
         command = ["g++", "--coverage", "-O0", root / "part" / "two.cxx", "-o", "two"]
         subprocess.run(command, cwd=root / "build", check=True)
         executed = lines.Executed(root / "build", root, "part")
-        self.assertEqual(executed.read(), set())  # nothing has run
+        self.assertEqual(executed.read()["executed"], {})  # nothing has run
         for _ in range(2):
             executed.forget()
             subprocess.run([root / "build" / "two"], check=True)
             facts = executed.read()
-            self.assertIn("part/two.cxx:12", facts)
-            self.assertNotIn("part/two.cxx:8", facts)
+            self.assertIn(12, facts["executed"]["part/two.cxx"])
+            self.assertNotIn(8, facts["executed"]["part/two.cxx"])
+        self.check_faults(facts, "part/two.cxx", TWO)
+
+    def check_faults(self, facts, file, text):
+        """Those in taken() are executed, those in unseen() are not."""
         seen = {}
-        for fault in planting.faults("part/two.cxx", TWO):
-            seen.setdefault(fault.function, set()).add(not facts.isdisjoint(executed.around(fault)))
+        for fault in planting.faults(file, text):
+            seen.setdefault(fault.function, set()).add(lines.shows(facts, fault))
         self.assertEqual((seen["taken"], seen["unseen"]), ({True}, {False}))  # of two lines, too
         other = planting.Fault("part/other.cxx", "f", 3, "constant changed", "1", "2", 0)
-        self.assertEqual(executed.around(other), set())
+        self.assertTrue(lines.shows(facts, other))
+
+    def test_what_interpreters_execute(self):
+        root = pathlib.Path(tempfile.mkdtemp()).resolve()
+        self.addCleanup(shutil.rmtree, root)
+        package = root / "adaptivehilbertdelaunay"
+        package.mkdir()
+        (package / "two.py").write_text(TWO_IN_PYTHON)
+        shutil.copyfile(pathlib.Path(lines.__file__).with_name("tell_lines.py"), root / "sitecustomize.py")
+        told = root / "told.txt"
+        environment = {**os.environ, "PYTHONPATH": str(root), "AHD_TELL_LINES": str(told)}
+        code = "import subprocess, sys, threading, adaptivehilbertdelaunay.two as two\n" + CALLS
+        subprocess.run([sys.executable, "-c", code], env=environment, check=True)
+        rows = [json.loads(row) for row in told.read_text().splitlines()]
+        self.assertEqual(len(rows), 2)
+        facts = lines.joined(rows)
+        self.assertEqual(facts["executed"]["two.py"], [1, 2, 5, 6, 7, 10, 11, 14])
+        self.check_faults(facts, "two.py", TWO_IN_PYTHON)
+
+    def test_what_is_counted_together(self):
+        self.assertEqual(lines.group_of("Filters/Engine"), "Filters/Engine")
+        self.assertEqual(lines.group_of("Filters/Engine/Job"), "Filters/Engine")
+        self.assertEqual(lines.group_of("Filters/Sampling"), "Filters")
 
 
 class JudgedTest(unittest.TestCase):

@@ -3,6 +3,7 @@
 
 import contextlib
 import dataclasses
+import hashlib
 import os
 import pathlib
 import re
@@ -59,6 +60,17 @@ class Workshop:
                 self.write(there / path, (here / path).read_bytes())
         for name in self.files:
             self.write(self.source / name, (ROOT / name).read_bytes())
+
+    def digest(self):
+        """Of all copied sources but these tools."""
+        whole = hashlib.sha256()
+        for name in (*self.folders, *self.files):
+            top = self.source / name
+            for path in sorted(top.rglob("*")) if top.is_dir() else [top]:
+                if path.is_file() and "Mutations" not in path.parts:
+                    whole.update(f"{path.relative_to(self.source)} {len(path.read_bytes())} ".encode())
+                    whole.update(path.read_bytes())
+        return whole.hexdigest()[:16]
 
     def write(self, path, content):
         """Writes a file unless it holds that already."""
