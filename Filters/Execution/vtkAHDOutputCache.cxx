@@ -121,7 +121,7 @@ bool vtkAHDOutputCache::TakeFingerprints(const vtkAHDDataSets& data, const vtkAH
       arrays.push_back(cells ? cells->GetOffsetsArray() : nullptr);
     }
     // cells are numbered behind the vertices
-    this->Now.push_back({ { std::uint64_t(source->GetNumberOfVerts()), 1 } });
+    this->Now.push_back({ { std::uint64_t(source->GetNumberOfVerts()) } });
   }
   for (vtkDataArray* array : arrays)
   {

@@ -137,12 +137,12 @@ bool vtkAHDSampledSurface::Identify(vtkPointSet* input, vtkPolyData* source, vtk
 {
   if (source) // cells are numbered behind the vertices
   {
-    found.Prints.push_back({ { std::uint64_t(source->GetNumberOfVerts()), 1 } });
+    found.Prints.push_back({ { std::uint64_t(source->GetNumberOfVerts()) } });
   }
   if (surface)
   {
-    found.Prints.push_back({ { std::uint64_t(surface->GetNumberOfPolys()), 2 } });
-    found.Prints.push_back({ { std::uint64_t(vtkAHDCountAddedPoints(surface)), 3 } });
+    found.Prints.push_back({ { std::uint64_t(surface->GetNumberOfPolys()) } });
+    found.Prints.push_back({ { std::uint64_t(vtkAHDCountAddedPoints(surface)) } });
   }
   for (vtkDataArray* array : ArraysOf(input, source, surface))
   {

@@ -36,15 +36,16 @@ class Tests:
 
 
 VTK_LAYER = Tests(
-    ("FilterTests", "FaultsCancel", "FaultsMemory"),
+    ("FilterTests", "FaultsCancel", "FaultsMemory", "AdaptiveHilbertDelaunayFiltersPython"),
     (
         ("FilterTests", "*"),
         ("FaultsCancel", "-Long*"),
         ("FaultsMemory", "-Long*"),
     ),
+    r"Filter\.Ranks\.Ranks(Compare\.2|(Sample|Gathered|Blocks|Updates)\.3)",
 )
 JOB = Tests(
-    ("EngineCInterface", "EngineJobHashes", "EngineJobSurface", "EngineJobTrouble",
+    ("EngineCInterface", "EngineJobHashes", "EngineJobProgress", "EngineJobSurface", "EngineJobTrouble",
      "AdaptiveHilbertDelaunayPythonLibrary"),
     (),
     r"Engine\.(CInterface|Job\w+)|Package\.(Arrays|Class\.Python)\..*",

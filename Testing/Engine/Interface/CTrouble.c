@@ -342,6 +342,38 @@ static void test_memory(void)
   ahd_job_free(job);
 }
 
+/* Points that can be read where they lie are not copied: those aligned, x and y side by side, and as
+ * many whole numbers apart. */
+static void test_memory_of_copies(void)
+{
+  static const struct
+  {
+    int32_t columns;
+    int64_t row_stride, column_stride, offset;
+    int is_copied;
+  } kinds[] = { { 2, 16, 8, 0, 0 }, { 2, 24, 8, 0, 0 }, { 2, 24, 8, 8, 0 }, { 3, 40, 8, 0, 0 },
+    { 2, 20, 8, 0, 1 }, { 2, 16, 8, 4, 1 }, { 2, 24, 16, 0, 1 }, { 2, 8, 8000, 0, 1 },
+    { 2, -16, 8, 15984, 1 } };
+  double* numbers = ahd_scattered(10000);
+  uint64_t least = 0, bytes = 0;
+  size_t k;
+  for (k = 0; k < sizeof kinds / sizeof kinds[0]; ++k)
+  {
+    ahd_job* job = ahd_job_new();
+    ahd_array points = { NULL, AHD_FLOAT64, 0, 1000, 0, 0 };
+    points.data = (const char*)numbers + kinds[k].offset;
+    points.columns = kinds[k].columns;
+    points.row_stride = kinds[k].row_stride;
+    points.column_stride = kinds[k].column_stride;
+    CHECK_OK(job, ahd_set_array(job, "points", &points));
+    CHECK_OK(job, ahd_estimate(job, &bytes));
+    least = k == 0 ? bytes : least;
+    CHECK(bytes == least + (kinds[k].is_copied ? 16000u : 0u));
+    ahd_job_free(job);
+  }
+  free(numbers);
+}
+
 /* Segments that cross in more places than points are allowed. */
 static void test_crossings(void)
 {
@@ -497,6 +529,7 @@ void test_trouble(void)
   test_progress();
   test_cancel();
   test_memory();
+  test_memory_of_copies();
   test_crossings();
   test_asked_memory();
   test_processors();

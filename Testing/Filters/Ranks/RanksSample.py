@@ -24,6 +24,7 @@ from rankcases import TABLE, WITHOUT_EFFECT, cases, counts_of, gathered_cases, l
 
 COUNTS = counts_of("interpolation")
 valued = []  # places, of each comparison
+lacking = []  # the warnings about values that are missing, of each comparison
 LINEAR, NATURAL, LAPLACE, NEAREST = range(4)
 OUTPUTS = [name for name in TABLE["delaunay"]["settings"] if name.startswith("Generate")]
 WITHOUT_EFFECT_HERE = WITHOUT_EFFECT + [({}, dict.fromkeys(OUTPUTS, True))]
@@ -125,9 +126,10 @@ def compare(found, expected):
     check(not any(part["errors"] for part in found), "errors: %r" % [part["errors"] for part in found])
     check(not expected["errors"], "errors of one rank: %r" % expected["errors"])
     check(not any(part["warnings"] for part in found[1:]), "other ranks warn too")
-    told = [[text for text in part["warnings"] if "places on the surface are none" in text]
+    told = [[text for text in part["warnings"] if "values at places" in text]
             for part in (found[0], expected)]
     check(told[0] == told[1], "what is missing: %r, not %r" % tuple(told))
+    lacking.extend(told[1])
     seen, first = set(), 0
     for part in found:
         check(part["class"] == expected["class"], part["class"])
@@ -457,6 +459,7 @@ for k, (case, (given, chosen, *_)) in enumerate(dict(cases(RANKS), **gathered_ca
     if WANTED in case:
         attempt(case, try_case, k + RANKS, given, chosen)
 check(RANK or WANTED or sum(valued) > 30000, "too few values are compared: %d" % sum(valued))
+check(RANK or WANTED or any(" of Float" in words for words in lacking), "no array lacks values: %r" % lacking)
 for case, (what, said_then) in failures_together().items():
     if WANTED in case:
         attempt(case, try_failure, what, said_then)

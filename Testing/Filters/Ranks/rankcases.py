@@ -230,12 +230,13 @@ def uneven(points, ranks):
 
 
 def odd(points, ranks):
-    """Points that are not finite, on one rank alone, and z that is not."""
+    """Points that are not finite, on one rank alone, and z and a value that are not."""
     made = pieces(points, ranks)
     own = made[-1].points
     own[3] = (math.nan, own[3][1], 0.0)
     own[4] = (own[4][0], math.inf, 0.0)
     own[5] = (own[5][0], own[5][1], math.nan)
+    made[-1].arrays["Float"][1][-2] = math.nan
     return made
 
 

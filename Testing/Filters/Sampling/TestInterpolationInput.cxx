@@ -48,6 +48,54 @@ TEST(InterpolationInput, NoPoints)
   }
 }
 
+/// What the triangulation warns of, the interpolation does, alone and once.
+TEST(InterpolationInput, WarningsOfTheTriangulation)
+{
+  const auto crossed = makeSource({ { 0, 1 }, { 2, 3 } }, {});
+  auto stripped = makeSource({ { 0, 1 } }, {});
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell({ 0, 1, 2 });
+  stripped->SetStrips(strips);
+  const struct
+  {
+    const char* words;
+    Xyz last;
+    vtkIdType marks; // so many
+    vtkPolyData* source;
+  } rows[] = { { "vtkGhostType does not have one value", { 0.5, 0.4, 0 }, 3, nullptr },
+    { "1 of 5 points were rejected", { kNaN, 0, 0 }, 0, nullptr },
+    { "1 of 5 points have a z that is NaN", { 0.5, 0.4, kNaN }, 0, nullptr },
+    { "1 triangle strip of the source is ignored", { 0.5, 0.4, 0 }, 0, stripped },
+    { "cross", { 0.5, 0.4, 0 }, 0, crossed } };
+  for (const auto& row : rows)
+  {
+    SCOPED_TRACE(row.words);
+    auto points = makeCloud({ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, row.last });
+    if (row.marks > 0)
+    {
+      vtkNew<vtkUnsignedCharArray> marks;
+      marks->SetName(vtkDataSetAttributes::GhostArrayName());
+      marks->SetNumberOfValues(row.marks);
+      marks->FillValue(0);
+      points->GetPointData()->AddArray(marks);
+    }
+    WatchedFilter triangulation;
+    triangulation->SetInputData(points);
+    triangulation->SetSourceData(row.source);
+    triangulation->Update();
+    WatchedInterpolation filter;
+    filter->SetInputData(points);
+    filter->SetSourceData(row.source);
+    filter->SetPlacesData(makeCloud({ { 0.0, 0.0, 0 } }));
+    filter->Update();
+    for (const auto& warnings : { triangulation.Said->Warnings, filter.Said->Warnings })
+    {
+      ASSERT_EQ(warnings.size(), 1u);
+      EXPECT_NE(warnings[0].find(row.words), std::string::npos) << warnings[0];
+    }
+  }
+}
+
 TEST(InterpolationInput, OnePointHasItsValueAtItsPlace)
 {
   WatchedInterpolation filter;

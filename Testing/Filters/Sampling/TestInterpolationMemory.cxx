@@ -263,8 +263,11 @@ TEST(InterpolationMemory, EachArrayIsEstimatedByItsBytes)
   expectMore(make(doubles.Get(), 2), 0, 16);
   expectMore(make(floats.Get(), 3), 0, 12);
   expectMore(make(ints.Get(), 1), 0, 4);
+  const double nearest = estimateOf([](vtkPolyData*) {});
   filter->SetMethod(0);
   const double plain = estimateOf([](vtkPolyData*) {});
+  // the number of each point, and of the nearest one at each place
+  EXPECT_NEAR(nearest - plain, 8 * kPoints + 8 * kPlaces, 3 * 1024.0);
   filter->SetOutputTypeToSurface();
   EXPECT_NEAR(estimateOf([](vtkPolyData*) {}) - plain, 24 * kPlaces, 3 * 1024.0);
   filter->SetOutputTypeToImage();

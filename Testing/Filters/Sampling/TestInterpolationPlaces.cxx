@@ -306,6 +306,31 @@ TEST(InterpolationPlaces, BlocksAreRefusedBeforeTheFirst)
   EXPECT_NE(filter.Said->Errors[0].find("400000 places"), std::string::npos);
 }
 
+/// The values that are missing of each array in all blocks together.
+TEST(InterpolationPlaces, MissingValuesOfBlocks)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, makeCloud({ { 0.5, 0.25, 0 }, { 0.25, 0.25, 0 }, { 0.0, 0.0, 0 } }));
+  blocks->SetBlock(1, makeCloud({ { 0.0, 1.0, 0 } })); // on a vertex that has values
+  blocks->SetBlock(2, makeCloud({ { 0.5, 0.5, 0 }, { 5.0, 5.0, 0 } }));
+  auto points = makeCloud({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
+  addArray<vtkDoubleArray>(points, "a", [](vtkIdType i) { return i == 1 ? kNaN : 1.0; });
+  addArray<vtkDoubleArray>(points, "b", [](vtkIdType i) { return i == 0 ? kNaN : 1.0; });
+  addArray<vtkDoubleArray>(points, "c", [](vtkIdType) { return 1.0; });
+  WatchedInterpolation filter;
+  filter->SetInputData(points);
+  filter->SetInputDataObject(1, blocks);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfPlacesWithoutValue(), 3 + 3);
+  ASSERT_EQ(filter.Said->Warnings.size(), 1u);
+  EXPECT_NE(
+    filter.Said->Warnings[0].find(
+      "6 values at places on the surface are missing, because values of points are NaN: 3 of "
+      "a, 3 of b. No height is missing."),
+    std::string::npos)
+    << filter.Said->Warnings[0];
+}
+
 /// Of all blocks together, once.
 TEST(InterpolationPlaces, WarningsOfBlocks)
 {

@@ -97,6 +97,29 @@ TEST(InterpolationSurface, WithTrianglesLeftOut)
   expectTheSame([](Delaunay* f) { f->SetTolerance(0.01); }, nullptr, kAll);
 }
 
+/// Down to one triangle, the others are not made again.
+TEST(InterpolationSurface, OfOneTriangle)
+{
+  vtkNew<Delaunay> delaunay;
+  delaunay->SetInputData(makeCloud({ { 0, 0, 1 }, { 1, 0, 2 }, { 0, 1, 3 }, { 9, 9, 4 } }));
+  delaunay->SetMaximumEdgeLength(2.0);
+  delaunay->Update();
+  ASSERT_EQ(delaunay->GetOutput()->GetNumberOfPolys(), 1);
+  vtkNew<vtkPolyData> copy; // that no triangulation is lent for
+  copy->DeepCopy(delaunay->GetOutput());
+  for (vtkPolyData* surface : { delaunay->GetOutput(), copy.Get() })
+  {
+    WatchedInterpolation filter;
+    filter->SetInputData(surface);
+    filter->SetPlacesData(makeCloud({ { 0.25, 0.25, 0 }, { 5, 5, 0 } }));
+    filter->Update();
+    const auto heights = numbersOf(filter->GetOutput(), "Elevation");
+    EXPECT_NEAR(heights[0], 1.75, 1e-12);
+    EXPECT_TRUE(std::isnan(heights[1]));
+    EXPECT_TRUE(filter.Said->Warnings.empty());
+  }
+}
+
 TEST(InterpolationSurface, WithConstraints)
 {
   const auto source = makeSource({ { 0, 700 }, { 5, 900, 30 } }, { { 11, 222, 333, 444 } });

@@ -152,6 +152,17 @@ class PipelineTest(Case):
         self.assertEqual([data.GetAbstractAttribute(kind) and data.GetAbstractAttribute(kind).GetName() for kind in (
             attributes.SCALARS, attributes.VECTORS)], [None, "b"])
 
+    def test_the_diagram_has_the_arrays_with_a_value_for_each_point(self):
+        for length in (0, 49, 50, 51):
+            given = cloud(scattered(50))
+            given.GetPointData().AddArray(array("vtkDoubleArray", "depth", range(length)))
+            data = run(given, GenerateVoronoi=True)[0].GetOutput(2).GetCellData()
+            sites = values_of(data.GetArray("OriginalPointIds"))
+            self.assertEqual(len(sites), 50)
+            self.assertEqual(data.HasArray("depth"), length >= 50)
+            if length >= 50:
+                self.assertEqual(values_of(data.GetArray("depth")), sites)
+
     def test_field_data_of_the_input(self):
         """Are those of each output, whether it is made or not."""
         given = cloud(scattered(30))
