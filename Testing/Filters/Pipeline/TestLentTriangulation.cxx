@@ -6,6 +6,9 @@
 #include "FilterTestSupport.h"
 
 #include "vtkCellArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -117,6 +120,43 @@ TEST(LentTriangulation, IsGoneWhenItIsClosed)
   EXPECT_EQ(surface.Lender->Close(), nullptr) << "it is lent";
   lender->GiveBack(std::move(content));
   EXPECT_EQ(Lent::Borrow(surface.Data, work.Context, none), nullptr);
+}
+
+/// Nothing is interpolated on a triangulation whose points, marks or corners were written to, until
+/// they are what they were.
+TEST(LentTriangulation, IsLentAgainOnceAChangeIsUndone)
+{
+  auto cloud = makeCloud(scatteredPoints(50));
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName(vtkDataSetAttributes::GhostArrayName());
+  marks->SetNumberOfValues(50);
+  marks->FillValue(0);
+  cloud->GetPointData()->AddArray(marks);
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
+  filter->SetInputData(cloud);
+  filter->Update();
+  vtkPolyData* const surface = filter->GetOutput();
+  const auto isLent = [surface]
+  {
+    vtkSmartPointer<Lent> lender;
+    Lent::ContentPointer content = Lent::Borrow(surface, Work(1).Context, lender);
+    const bool is = content != nullptr;
+    EXPECT_EQ(lender != nullptr, is);
+    is ? lender->GiveBack(std::move(content)) : void();
+    return is;
+  };
+  EXPECT_TRUE(isLent());
+  vtkDataArray* const corners = surface->GetPolys()->GetConnectivityArray();
+  for (vtkDataArray* array :
+    { cloud->GetPoints()->GetData(), vtkDataArray::SafeDownCast(marks), corners })
+  {
+    SCOPED_TRACE(array->GetClassName());
+    const double before = array->GetComponent(array->GetNumberOfTuples() - 1, 0);
+    array->SetComponent(array->GetNumberOfTuples() - 1, 0, before == 1.0 ? 0.0 : 1.0);
+    EXPECT_FALSE(isLent());
+    array->SetComponent(array->GetNumberOfTuples() - 1, 0, before);
+    EXPECT_TRUE(isLent());
+  }
 }
 
 /// Lines and vertices left by limits belong to the surface.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The memory of output arrays, kept for those of the next execution.
+// The memory of output arrays, and of the triangulation, kept for those of the next execution.
+#include "ContextSupport.h"
+#include "Execution/vtkAHDExecution.h"
 #include "FilterTestSupport.h"
 #include "Pipeline/vtkAHDOutputMemory.h"
 
@@ -248,4 +250,29 @@ TEST(OutputMemory, WhatIsInUseIsLeftAlone)
   EXPECT_EQ(neighborsOf(copy), expected);
   filter = nullptr; // the copy has its arrays for itself then
   EXPECT_EQ(neighborsOf(copy), expected);
+}
+
+/// To the last whole KiB, which is what the limit counts in.
+TEST(WorkingMemory, NoMoreIsKeptThanTheLimit)
+{
+  auto cloud = makeCloud(latticePoints(5000, 1000000));
+  const Work work(1);
+  const auto bytesWith = [&](vtkTypeInt64 limit)
+  {
+    vtkAHDSettings settings;
+    settings.ReuseLimit = limit;
+    vtkAHDInput input(settings, cloud, nullptr);
+    ahd::Workspace workspace;
+    vtkNew<vtkPolyData> surface, order, diagram;
+    const auto report =
+      vtkAHDExecution(settings, input, workspace, work.Context, 0).Run({ surface, order, diagram });
+    EXPECT_EQ(report.status, ahd::Status::Ok);
+    EXPECT_GT(surface->GetNumberOfPolys(), 9000);
+    return workspace.bytes();
+  };
+  const std::size_t bytes = bytesWith(VTK_INT_MAX);
+  EXPECT_GT(bytes, 5000 * 12u);
+  const auto held = static_cast<vtkTypeInt64>((bytes + 1023) / 1024);
+  EXPECT_EQ(bytesWith(held), bytes);
+  EXPECT_EQ(bytesWith(held - 1), 0u);
 }

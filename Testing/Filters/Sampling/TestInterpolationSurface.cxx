@@ -192,6 +192,35 @@ TEST(InterpolationSurface, ConstraintsAtEachEdgeOfTheirTriangles)
   EXPECT_TRUE(areSame(expected, sample(marked->GetOutput()), 1e-12));
 }
 
+/// One that crosses itself in the plane is refused, with the number of triangles that do, of all
+/// that it has.
+TEST(InterpolationSurface, ThatFolds)
+{
+  vtkNew<Delaunay> delaunay;
+  delaunay->SetInputData(makeCloud({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 }, { 0, 3, 0 },
+    { 1, 1, 0 }, { 20, 0, 0 }, { 6, 0, 0 }, { 6, 3, 0 } }));
+  delaunay->SetMaximumEdgeLength(5.0); // the point far away has no triangle
+  delaunay->Update();
+  ASSERT_EQ(delaunay->GetOutput()->GetNumberOfPolys(), 6);
+  vtkNew<vtkPolyData> folded;
+  folded->DeepCopy(delaunay->GetOutput());
+  folded->GetPoints()->SetPoint(4, -1, 1, 0); // behind an edge of the square
+  WatchedInterpolation filter;
+  filter->SetInputData(folded);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  ASSERT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_NE(
+    filter.Said->Errors[0].find("4 of the 6 triangles of the surface cross others in the plane"),
+    std::string::npos)
+    << filter.Said->Errors[0];
+  folded->GetPoints()->SetPoint(4, 2, 2, 0);
+  folded->Modified();
+  filter->Update();
+  EXPECT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_GT(filter->GetNumberOfValidPlaces(), 0);
+}
+
 TEST(InterpolationSurface, InAnotherPlane)
 {
   expectTheSame(
