@@ -7,7 +7,7 @@
 # Package.cmake installs it; built by scikit-build-core (pyproject.toml) it goes into the Python package.
 add_library(AdaptiveHilbertDelaunayC SHARED
   "${CMAKE_CURRENT_LIST_DIR}/Interface/ahd.cxx" "${CMAKE_CURRENT_LIST_DIR}/Interface/ahd_edit.cxx"
-  "${CMAKE_CURRENT_LIST_DIR}/Interface/ahd_refine.cxx")
+  "${CMAKE_CURRENT_LIST_DIR}/Interface/ahd_refine.cxx" "${CMAKE_CURRENT_LIST_DIR}/Interface/ahd_tiles.cxx")
 add_library(AdaptiveHilbertDelaunay::C ALIAS AdaptiveHilbertDelaunayC)
 set_target_properties(AdaptiveHilbertDelaunayC PROPERTIES
   EXPORT_NAME               C

@@ -35,6 +35,13 @@ enum class Representative
   HighestZ = 2 ///< the one of highest finite z, of several the one of smallest id
 };
 
+/// Bounds that ranks refer to; empty (min > max): those of the points.
+struct RankBounds
+{
+  double xmin = 1.0, xmax = -1.0;
+  double ymin = 1.0, ymax = -1.0;
+};
+
 /// Settings of a triangulation. Every combination is legal and, without insertionLimit, gives the
 /// same triangles; only the representative changes their ids.
 struct Options
@@ -65,6 +72,10 @@ struct Options
   bool keepBoxes = false;
 
   Representative representative = Representative::FirstId;
+
+  /// For some of all points: those of all. Points beyond them enlarge them. The order of vertices,
+  /// triangles and sums is then that of all points (but see BoxNeighbors.h on crowds).
+  RankBounds rankBounds;
 
   /// A run with more boxes ends with Status::TooManyBoxes, before it inserts.
   std::size_t mostBoxes = std::size_t(-1);

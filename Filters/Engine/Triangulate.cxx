@@ -81,7 +81,8 @@ Status Run::all()
     return Status::TooManyPoints;
   }
   Ticker reading(progress_, Phase::Read, points, executor_);
-  if (const Status read = readPoints(state_.points, reading, ranked); read != Status::Ok)
+  if (const Status read = readPoints(state_.points, reading, ranked, options_.rankBounds);
+      read != Status::Ok)
   {
     return read;
   }

@@ -200,6 +200,14 @@ class Refined(ctypes.Structure):
         "places", "corners", "weights", "ids", "offsets", "bad", "reasons")]  # fmt: skip
 
 
+class Bytes(ctypes.Structure):
+    _fields_ = [("data", ctypes.c_void_p), ("size", ctypes.c_uint64)]
+
+
+class Facts(ctypes.Structure):
+    _fields_ = [(name, ctypes.c_uint64) for name in ("points", "not_finite", "leaves", "nodes", "most_points")]
+
+
 class Fact(ctypes.Structure):
     _fields_ = [
         ("name", ctypes.c_char_p),
@@ -268,6 +276,19 @@ def _signatures() -> Dict[str, Tuple[Any, List[Any]]]:
         "ahd_edit_size": (status, [job, to(u64), to(u64)]),
         "ahd_edit_ready": (status, [job, to(i32)]),
         "ahd_edit_write": (status, [job, pointer, pointer, pointer]),
+        "ahd_tiles_begin": (status, [job, pointer]),
+        "ahd_tiles_count": (status, [job, to(Array)]),
+        "ahd_tiles_plan": (status, [job, u64, pointer, to(i32)]),
+        "ahd_tiles_load": (status, [job, pointer, u64]),
+        "ahd_tiles_get_facts": (status, [job, to(Facts)]),
+        "ahd_tiles_leaf_of": (status, [job, to(Array), pointer]),
+        "ahd_tiles_cells": (status, [job, u64, to(Places), to(u64)]),
+        "ahd_tiles_lines": (status, [job, pointer, pointer, u64, u64, i32]),
+        "ahd_tiles_visit": (status, [job, u64, to(Array), pointer]),
+        "ahd_tiles_merge": (status, [job, u64, to(Bytes), u64]),
+        "ahd_tiles_triangles": (status, [job, u64, to(Array), pointer, to(Bytes), to(Bytes), u64]),
+        "ahd_tiles_list": (status, [job, u64, to(Bytes), u64]),
+        "ahd_tiles_surface": (status, [job, u64, to(Array), pointer, to(Bytes), to(Bytes), u64]),
         "ahd_say": (u64, [job, i32, i32, to(Fact), u64, pointer, u64]),
         "ahd_name": (name, [i32, u32]),
         "ahd_status_name": (name, [status]),

@@ -52,9 +52,10 @@ const std::map<std::string, Names>& allowedParts()
     { "Distribute",
       { "Points", "Order", "Predicates", "Mesh", "Constrain", "Extract", "Prepare", "Sample",
         "Triangulation", "" } },
+    { "Tiles", { "Points", "Order", "Predicates", "Distribute", "Sample" } },
     { "Job",
       { "Points", "Order", "Merge", "Crossings", "Edit", "Outline", "Prepare", "Refine", "Sample",
-        "Simplify", "Surface", "Triangulation", "Voronoi", "" } },
+        "Simplify", "Surface", "Tiles", "Triangulation", "Voronoi", "" } },
     { "Interface", { "Job" } },
   };
   return kAllowed;

@@ -106,6 +106,12 @@ void setAnything(JobRun& run, const FuzzCase& given, const std::vector<double>& 
   static const double turned[] = { 0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 1 };
   const ahd_array matrix = { turned, AHD_FLOAT64, 4, 4, 4 * sizeof(double), sizeof(double) };
   ahd_set_array(run.job(), "matrix", &matrix);
+  if (bit(given.head[kMostBoxes], 3) != 0) // of more points than these
+  {
+    static const double all[] = { -1e3, 2e3, -1e9, 7e9 };
+    const ahd_array bounds = { all, AHD_FLOAT64, 2, 2, 2 * sizeof(double), sizeof(double) };
+    ahd_set_array(run.job(), "rank_bounds", &bounds);
+  }
   if (bit(more, 6) != 0) // points once more, as those of the source
   {
     const ahd_array source = { xyz.data(), AHD_FLOAT64, 2,
@@ -172,6 +178,8 @@ void expectSampled(const FuzzCase& given, JobRun& run, const PointView& points)
   const std::int64_t method = given.head[kMergeDistance] % 4, outside = given.head[kShuffle] % 2;
   run.set("sample_method", method);
   run.set("sample_outside", outside);
+  run.set("sample_first_column", std::int64_t(given.head[kMostBoxes] >> 6));
+  run.set("sample_first_row", std::int64_t(given.head[kMostBoxes] >> 5 & 1));
   const Point first = points.count > 0 ? points[0] : Point{ 0, 0 };
   const Point last = points.count > 0 ? points[points.count - 1] : Point{ 0, 0 };
   const auto part = [](double a, double b)

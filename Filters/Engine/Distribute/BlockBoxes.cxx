@@ -11,8 +11,9 @@
 namespace ahd
 {
 
-void BlockBoxes::set(std::vector<Bounds> bounds)
+void BlockBoxes::set(std::vector<Bounds> bounds, double overlap)
 {
+  overlap_ = overlap;
   levels_.clear();
   levels_.push_back(std::move(bounds));
   while (levels_.back().size() > 1)
@@ -83,10 +84,9 @@ Bounds BlockBoxes::boundsOf(const BlockRow& row) const
   return result;
 }
 
-Bounds BlockBoxes::freeBoxOf(const BlockRow& row) const
+Bounds BlockBoxes::freeBoxOf(const BlockRow& row, const Bounds& own) const
 {
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  const Bounds own = boundsOf(row);
   Bounds result{ -kFar, kFar, -kFar, kFar };
   for (std::size_t i = 0; i != blocks(); ++i)
   {
@@ -99,7 +99,7 @@ Bounds BlockBoxes::freeBoxOf(const BlockRow& row) const
     const double gaps[] = { 0.5 * own.xmin - 0.5 * b.xmax, 0.5 * b.xmin - 0.5 * own.xmax,
       0.5 * own.ymin - 0.5 * b.ymax, 0.5 * b.ymin - 0.5 * own.ymax };
     const std::ptrdiff_t side = std::max_element(gaps, gaps + 4) - gaps;
-    if (!(gaps[side] > 0.0))
+    if (!(gaps[side] > -overlap_))
     {
       return Bounds();
     }

@@ -25,8 +25,9 @@ struct BlockRow
 class BlockBoxes
 {
 public:
-  /// Throws std::bad_alloc.
-  void set(std::vector<Bounds> bounds);
+  /// `overlap`: by how much, at most, bounds may lie within others that they are apart from but for
+  /// that. Throws std::bad_alloc.
+  void set(std::vector<Bounds> bounds, double overlap = 0.0);
 
   std::size_t blocks() const { return levels_.empty() ? 0 : levels_[0].size(); }
 
@@ -38,12 +39,14 @@ public:
   bool isMet(const Circumdisc& disc, const BlockRow& row, std::size_t& steps) const;
 
   /// A box with no point of other blocks' bounds inside; sides with none beyond lie at infinity.
-  /// Large, but not the largest. Where bounds overlap it is empty: xmin > xmax.
-  Bounds freeBoxOf(const BlockRow& row) const;
+  /// Large, but not the largest. Where `own`, the bounds of the row's points, and those of others
+  /// overlap by more than they may it is empty: xmin > xmax.
+  Bounds freeBoxOf(const BlockRow& row, const Bounds& own) const;
 
 private:
   static constexpr std::size_t kInRow = 8;
   std::vector<std::vector<Bounds>> levels_; ///< from the blocks' own to one around all
+  double overlap_ = 0.0;
 };
 
 } // namespace ahd

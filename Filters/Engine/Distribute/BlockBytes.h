@@ -128,8 +128,12 @@ class BytesReader
 {
 public:
   explicit BytesReader(const BlockBytes& bytes)
-    : at_(bytes.data())
-    , left_(bytes.size())
+    : BytesReader(bytes.data(), bytes.size())
+  {
+  }
+  BytesReader(const unsigned char* bytes, std::size_t size)
+    : at_(bytes)
+    , left_(size)
   {
   }
 

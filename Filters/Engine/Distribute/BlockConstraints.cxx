@@ -88,7 +88,7 @@ bool BlockTriangulation::State::placeEnds(std::vector<std::int64_t>& placeOf, Ti
   std::vector<Place> places;
   const auto add = [&](std::size_t i)
   {
-    if (given[i].isEnd != 0)
+    if ((given[i].marks & BorderPoint::kEndOfSegment) != 0)
     {
       places.emplace_back(given[i].id, static_cast<Index>(i));
     }

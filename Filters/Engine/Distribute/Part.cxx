@@ -265,10 +265,13 @@ bool Part::spread(Mesh::Slot from, const Neighborhood& near, Ticker& ticker)
 /// connected. So from each such triangle a way across edges leads through such triangles to the
 /// hull. And where a segment goes, one touched triangle follows the other, across an edge or around
 /// a vertex, from an end of the segment or from the hull, as both ends are own vertices or outside
-/// of it.
+/// of it. Bounds that overlap by a little: the way from q to where they do not, straight and within
+/// them, leaves the hull, and what has a place of it in closed discs changes along it to what is
+/// next to it.
 bool Part::findFinal(const BlockRow& row, const Surroundings& around, Ticker& ticker)
 {
-  const Neighborhood near{ row, around, around.boxes.freeBoxOf(row) };
+  const Bounds own = ids_ && hasTriangles() ? state().ranked.bounds : around.boxes.boundsOf(row);
+  const Neighborhood near{ row, around, around.boxes.freeBoxOf(row, own) };
   const bool isApart = near.freeBox.xmin <= near.freeBox.xmax;
   const auto isEnd = [&](Index vertex)
   { return std::binary_search(ends_.begin(), ends_.end(), vertex); };

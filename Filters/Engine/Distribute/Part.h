@@ -11,6 +11,7 @@
 #include "BlockBoxes.h"
 #include "SegmentTree.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
@@ -26,9 +27,15 @@ struct BorderPoint
   Point at;
   std::int64_t id;     ///< the caller's
   std::uint32_t block; ///< that owns it
-  std::uint32_t isEnd; ///< 1 if a segment ends there
+  std::uint32_t marks; ///< those of one that goes up to the part of all, whatever is final around
 
-  auto fields() { return std::tie(at, id, block, isEnd); }
+  enum : std::uint32_t
+  {
+    kEndOfSegment = 1,
+    kOfCrowd = 2 ///< more points than crowdLimit() (BoxNeighbors.h) lie in one cell
+  };
+
+  auto fields() { return std::tie(at, id, block, marks); }
 };
 static_assert(sizeof(BorderPoint) == 4 * sizeof(double), "a PointView looks at it");
 
@@ -91,6 +98,8 @@ public:
 
   /// The vertices where segments end, ascending. @pre makeOwn().
   void setEnds(std::vector<Index> ends) { ends_ = std::move(ends); }
+  /// All points of a crowd shall go up if one does. @pre makeOwn().
+  void keepCrowds() { keepsCrowds_ = true; }
 
   /// Finds the region that was final below. @pre makeOf().
   bool findBelow(Ticker& ticker);
@@ -121,6 +130,14 @@ public:
   /// from the row's first one.
   bool listOwned(const BlockRow& row, std::vector<OwnedTriangles>& owned, Ticker& ticker) const;
 
+  /// Calls visit(corners, flags) for those: places among given(), counterclockwise, and bit e if
+  /// the edge from corner e is a constraint.
+  template <typename Visit>
+  bool eachFinal(Ticker& ticker, Visit visit) const;
+  /// Calls visit(a, b) for each edge of the hull, which lies on its left: places among given().
+  template <typename Visit>
+  void eachHullEdge(Visit visit) const;
+
   /// How many triangles have become final here and are kept.
   std::size_t finalTriangles() const { return finalTriangles_; }
   /// Writes these as triples of vertices' points, in canonical order. @pre makeOwn(). The locations
@@ -128,6 +145,7 @@ public:
   template <typename Id>
   bool writeFinal(Id* triples, Ticker& ticker);
 
+  bool hasTriangles() const { return slots_ != 0; }
   Triangulation& triangulation() { return made_; }
   const Triangulation& triangulation() const { return made_; }
   const std::vector<BorderPoint>& given() const { return given_; }
@@ -152,7 +170,6 @@ private:
 
   TriangulationAccess::State& state() { return *TriangulationAccess::stateOf(made_); }
   const TriangulationAccess::State& state() const { return *TriangulationAccess::stateOf(made_); }
-  bool hasTriangles() const { return slots_ != 0; }
   bool begin(Ticker& ticker);
   BorderPoint describe(Index vertex) const;
 
@@ -178,6 +195,7 @@ private:
   SegmentTree::Answer test(Mesh::Slot slot, const Neighborhood& near, Ticker& ticker) const;
   bool spread(Mesh::Slot from, const Neighborhood& near, Ticker& ticker);
   bool listVertices(std::vector<Index>& vertices, Ticker& ticker) const;
+  bool addCrowds(std::vector<Index>& vertices, Ticker& ticker);
   bool listEdges(PartBorder& border, const std::vector<Index>& vertices, Ticker& ticker);
   bool countFinal(Ticker& ticker);
   void giveOut(Mesh::Slot slot, const BlockRow& row, std::vector<OwnedTriangles>& owned) const;
@@ -187,6 +205,8 @@ private:
   const std::int64_t* ids_ = nullptr; ///< of the own points; null above the bottom
   std::uint32_t block_ = 0;
   std::vector<Index> ends_;
+  std::vector<Index> crowd_; ///< vertices of crowds that go up, ascending
+  bool keepsCrowds_ = false;
   std::vector<BorderPoint> given_;
   std::vector<BorderEdge> edgesBelow_;
   std::vector<std::size_t> firstEdge_;         ///< of each part below, and their number
@@ -218,6 +238,44 @@ bool Part::eachSlot(Ticker& ticker, Visit visit) const
         }
       }
     });
+}
+
+template <typename Visit>
+bool Part::eachFinal(Ticker& ticker, Visit visit) const
+{
+  const TriangulationAccess::State& all = state();
+  return eachSlot(ticker,
+    [&](Mesh::Slot slot)
+    {
+      std::array<Index, 3> corners;
+      unsigned flags = 0;
+      for (unsigned e = 0; e != 3 && isFinalAndKept(slot); ++e)
+      {
+        corners[e] = all.ranked.id[data_[slot + e]];
+        const Mesh::Halfedge edge = slot + (e + 2) % 3; // opposite to the corner before it
+        flags |= (all.hasMarks && all.constrained.isConstrained(edge) ? 1u : 0u) << e;
+      }
+      if (isFinalAndKept(slot))
+      {
+        visit(corners, static_cast<std::uint8_t>(flags));
+      }
+    });
+}
+
+template <typename Visit>
+void Part::eachHullEdge(Visit visit) const
+{
+  const Buffer<Index>& id = state().ranked.id;
+  for (const Mesh::Slot ghost : ghosts_)
+  {
+    for (Mesh::Halfedge h = ghost; h != ghost + 3; ++h)
+    {
+      if (data_[h] == ghost_)
+      {
+        visit(id[destination(h)], id[origin(h)]); // the ghost has it on its left the other way
+      }
+    }
+  }
 }
 
 /// Labels the triangle and whatever can be reached from it across half-edges that may be entered.

@@ -3,6 +3,8 @@
 
 #include "../Core/SortAsking.h"
 #include "../Extract/Extractor.h"
+#include "../Order/Quantise.h"
+#include "../Order/Rank.h"
 
 #include <algorithm>
 
@@ -17,8 +19,11 @@ BorderPoint Part::describe(Index vertex) const
   {
     return given_[point];
   }
-  const bool isEnd = std::binary_search(ends_.begin(), ends_.end(), vertex);
-  return { all.ranked.xy[vertex], ids_[point], block_, isEnd ? 1u : 0u };
+  const auto isAmong = [vertex](const std::vector<Index>& vertices)
+  { return std::binary_search(vertices.begin(), vertices.end(), vertex); };
+  const std::uint32_t end = isAmong(ends_) ? BorderPoint::kEndOfSegment : 0u;
+  const std::uint32_t crowd = isAmong(crowd_) ? BorderPoint::kOfCrowd : 0u;
+  return { all.ranked.xy[vertex], ids_[point], block_, end | crowd };
 }
 
 /// Those that the part above needs, ascending.
@@ -47,7 +52,7 @@ bool Part::listVertices(std::vector<Index>& vertices, Ticker& ticker) const
   }
   const auto add = [&](std::size_t v)
   {
-    if (!hasTriangles() || given_[all.ranked.id[v]].isEnd != 0)
+    if (!hasTriangles() || given_[all.ranked.id[v]].marks != 0)
     {
       vertices.push_back(static_cast<Index>(v));
     }
@@ -59,11 +64,47 @@ bool Part::listVertices(std::vector<Index>& vertices, Ticker& ticker) const
   return sortOnce(vertices, ticker);
 }
 
+/// Vertices of one cell follow each other.
+bool Part::addCrowds(std::vector<Index>& vertices, Ticker& ticker)
+{
+  const RankedPoints& ranked = state().ranked;
+  const Grid grid(ranked.whole);
+  const auto areTogether = [&](Index v, Index w)
+  {
+    const Point p = ranked.xy[v], q = ranked.xy[w];
+    return grid.column(p.x) == grid.column(q.x) && grid.row(p.y) == grid.row(q.y);
+  };
+  Index begin = 0, end = 0; // of the last cell
+  for (const Index vertex : vertices)
+  {
+    if (!ticker.step())
+    {
+      return false;
+    }
+    if (vertex < end)
+    {
+      continue;
+    }
+    for (begin = vertex; begin != 0 && areTogether(begin - 1, vertex) && ticker.step(); --begin)
+    {
+    }
+    for (end = vertex + 1; end != ranked.count && areTogether(end, vertex) && ticker.step(); ++end)
+    {
+    }
+    for (Index v = begin; end - begin > kTiedByCoordinates && v != end; ++v)
+    {
+      crowd_.push_back(v);
+    }
+  }
+  vertices.insert(vertices.end(), crowd_.begin(), crowd_.end());
+  return ticker.ask() && sortOnce(vertices, ticker);
+}
+
 bool Part::makeBorder(PartBorder& border, Ticker& ticker)
 {
   border = PartBorder();
   std::vector<Index> vertices;
-  if (!listVertices(vertices, ticker))
+  if (!listVertices(vertices, ticker) || (keepsCrowds_ && !addCrowds(vertices, ticker)))
   {
     return false;
   }

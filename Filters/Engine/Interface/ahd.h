@@ -542,4 +542,5 @@ AHD_API void ahd_fingerprint(const void* bytes, uint64_t count, uint64_t kind, u
 #include "ahd_outline.h"  /* the outline of a surface as polygons with holes */
 #include "ahd_refine.h"   /* points with which triangles have wide angles */
 #include "ahd_sample.h"   /* values between the points, at any places or on a raster */
+#include "ahd_tiles.h"    /* more points than memory holds, leaf by leaf */
 #endif

@@ -431,6 +431,10 @@ ArrayShape shapeOf(Job& job, const char* name)
   {
     return { list->size(), 1 };
   }
+  if (const TileArray array = tileArray(job, name); array.columns != 0)
+  {
+    return { array.rows, array.columns };
+  }
   const OutputRow& row = rowOf(job, name);
   return { row.rows(job.result()), row.columns };
 }
@@ -438,9 +442,13 @@ ArrayShape shapeOf(Job& job, const char* name)
 void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::uint64_t capacity)
 {
   const std::vector<Index>* const list = outlineList(job, name);
-  const OutputRow* const row = list ? nullptr : &rowOf(job, name);
-  const std::size_t numbers = list ? list->size() : row->rows(job.result()) * row->columns;
-  const unsigned types = list ? kIntegerTypes : row->types;
+  const TileArray tiles = list ? TileArray{} : tileArray(job, name);
+  const bool isTiles = tiles.columns != 0;
+  const OutputRow* const row = list || isTiles ? nullptr : &rowOf(job, name);
+  const std::size_t numbers = list ? list->size()
+    : isTiles                      ? tiles.rows * tiles.columns
+                                   : row->rows(job.result()) * row->columns;
+  const unsigned types = list ? kIntegerTypes : isTiles ? bitOf(tiles.type) : row->types;
   if ((bitOf(type) & types) == 0)
   {
     refuse(Reason::BadArray,
@@ -454,6 +462,11 @@ void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::u
   }
   if (numbers == 0)
   {
+    return;
+  }
+  if (isTiles)
+  {
+    std::memcpy(out, tiles.data, numbers * (tiles.type == kUint8 ? 1 : 8));
     return;
   }
   if (list)
@@ -473,7 +486,10 @@ void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::u
 const char* outputArrayName(std::size_t number)
 {
   const OutputRow* const row = rowAt(number);
-  return row ? row->name : outlineArrayName(number - std::size(kOutputRows) - kWantedArrays);
+  const std::size_t others = row ? 0 : number - std::size(kOutputRows) - kWantedArrays;
+  return row                  ? row->name
+    : others < kOutlineArrays ? outlineArrayName(others)
+                              : tileArrayName(others - kOutlineArrays);
 }
 
 } // namespace ahd

@@ -28,6 +28,18 @@ const char* outputArrayName(std::size_t number);
 // Those of an outline, ids of any type: null if there is none of this name, or number.
 const std::vector<Index>* outlineList(const Job& job, const char* name);
 const char* outlineArrayName(std::size_t number);
+constexpr std::size_t kOutlineArrays = 4;
+
+// Those of visits of tiles.
+/// Null data, and no columns, if there is none of this name.
+struct TileArray
+{
+  NumberType type;
+  std::size_t rows, columns;
+  const void* data;
+};
+TileArray tileArray(Job& job, const char* name);
+const char* tileArrayName(std::size_t number);
 
 /// Where to write the order as it is drawn; see ahd_drawing.
 struct GivenDrawing

@@ -4,6 +4,7 @@
 #include "Refusal.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <string>
@@ -21,6 +22,7 @@ struct InputRow
   unsigned types;
   std::int32_t leastColumns, mostColumns;
   const char* wanted;
+  std::int64_t rows = 0; ///< 0: any number
 };
 
 // in the order of InputArray
@@ -32,10 +34,11 @@ constexpr InputRow kInputRows[] = {
   { "loop_ids", kIntegerTypes, 1, kManyColumns, "AHD_INT32 or AHD_INT64" },
   { "line_offsets", kIntegerTypes, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
   { "loop_offsets", kIntegerTypes, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
-  { "matrix", bitOf(kFloat64), 4, 4, "AHD_FLOAT64, of 4 rows and columns" },
+  { "matrix", bitOf(kFloat64), 4, 4, "AHD_FLOAT64, of 4 rows and columns", 4 },
   { "voronoi_polygon", bitOf(kFloat64), 2, 2, "AHD_FLOAT64, of 2 columns" },
   { "surface", kIntegerTypes, 3, 3, "AHD_INT32 or AHD_INT64, of 3 columns" },
   { "surface_edges", bitOf(kUint8), 1, 1, "AHD_UINT8, of one column" },
+  { "rank_bounds", bitOf(kFloat64), 2, 2, "AHD_FLOAT64, of 2 rows and columns", 2 },
   { "cells", kIntegerTypes, 1, kManyColumns, "AHD_INT32 or AHD_INT64" },
   { "cell_offsets", kIntegerTypes, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
   { "cell_groups", bitOf(kFloat64), 1, 1, "AHD_FLOAT64, of one column" },
@@ -70,9 +73,10 @@ std::string faultOf(const InputRow& row, const GivenArray& array)
   {
     return "has " + std::to_string(array.rows) + " rows, or strides that fit in no memory.";
   }
-  if (row.leastColumns == 4 && array.rows != 4)
+  if (row.rows != 0 && array.rows != row.rows)
   {
-    return "must have 4 rows, not " + std::to_string(array.rows) + ".";
+    return "must have " + std::to_string(row.rows) + " rows, not " + std::to_string(array.rows) +
+      ".";
   }
   return array.rows > 0 && !array.data ? "has rows, but its data is null." : std::string();
 }
@@ -105,6 +109,15 @@ void InputArrays::set(const char* name, const GivenArray* array)
     refuse(Reason::BadArray, "\"" + std::string(name) + "\" " + fault);
   }
   arrays_[std::size_t(row - kInputRows)] = array ? *array : GivenArray();
+}
+
+void InputArrays::checkPoints(const GivenArray& array)
+{
+  const std::string fault = faultOf(kInputRows[std::size_t(InputArray::Points)], array);
+  if (!fault.empty())
+  {
+    refuse(Reason::BadArray, "The array of points " + fault);
+  }
 }
 
 const char* InputArrays::name(std::size_t number)
@@ -180,6 +193,25 @@ std::array<double, 16> InputArrays::matrix() const
     numbers[i] = realAt((*this)[InputArray::Matrix], i / 4, i % 4);
   }
   return numbers;
+}
+
+RankBounds InputArrays::rankBounds() const
+{
+  if (!has(InputArray::RankBounds))
+  {
+    return {};
+  }
+  const GivenArray& array = (*this)[InputArray::RankBounds];
+  const RankBounds bounds{ realAt(array, 0, 0), realAt(array, 0, 1), realAt(array, 1, 0),
+    realAt(array, 1, 1) };
+  const bool isBox = std::isfinite(bounds.xmin) && std::isfinite(bounds.xmax) &&
+    std::isfinite(bounds.ymin) && std::isfinite(bounds.ymax) && bounds.xmin <= bounds.xmax &&
+    bounds.ymin <= bounds.ymax;
+  if (!isBox)
+  {
+    refuse(Reason::BadValue, quoted(InputArray::RankBounds) + " are not xmin, xmax, ymin, ymax.");
+  }
+  return bounds;
 }
 
 std::vector<Point> InputArrays::voronoiPolygon() const

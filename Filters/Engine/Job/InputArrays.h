@@ -3,6 +3,7 @@
 #define ahd_InputArrays_h
 
 #include "../Core/Context.h"
+#include "../Options.h"
 #include "../Prepare/Prepare.h"
 #include "Words.h"
 
@@ -37,6 +38,7 @@ enum class InputArray : std::size_t
   VoronoiPolygon,
   Surface,
   SurfaceEdges,
+  RankBounds,
   Cells,
   CellOffsets,
   CellGroups
@@ -69,6 +71,11 @@ public:
   std::array<double, 16> matrix() const;
   /// The corners; none if there is no such array.
   std::vector<Point> voronoiPolygon() const;
+  /// Empty if there is no such array.
+  RankBounds rankBounds() const;
+
+  /// Refuses what cannot be the array "points".
+  static void checkPoints(const GivenArray& array);
 
 private:
   void countSurface(GivenTriangles& surface) const;
@@ -114,11 +121,31 @@ private:
   static CellsView open(const InputArrays& arrays, InputArray ids, InputArray offsets,
     CellCopies& copies, const Context& context);
 
+  friend class OpenPoints;
+
   Copies pointCopies_, sourceCopies_;
   std::vector<unsigned char> marks_;
   CellCopies lineCopies_, loopCopies_, surfaceCopies_, polygonCopies_;
   std::vector<double> groupCopies_;
   std::vector<unsigned char> edges_, others_;
+};
+
+/// Points that are no input of the job: a view of them. Further columns than z are left out.
+/// Refuses what is no array of points.
+class OpenPoints
+{
+public:
+  OpenPoints(GivenArray array, const Context& context)
+  {
+    array.columns = array.columns > 3 ? 3 : array.columns;
+    InputArrays::checkPoints(array);
+    view = OpenInput::open(array, copies_, context);
+  }
+
+  PointView view;
+
+private:
+  OpenInput::Copies copies_;
 };
 
 } // namespace ahd

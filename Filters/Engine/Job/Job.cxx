@@ -51,6 +51,7 @@ void Job::reset(std::size_t most)
   setProjection(nullptr, nullptr);
   progress.setCallback(nullptr, nullptr);
   edit_.reset();
+  tiles_ = JobTiles();
   report_ = RunReport();
 }
 
@@ -73,6 +74,7 @@ void Job::run()
 RunSettings Job::asked() const
 {
   RunSettings asked = settings.run();
+  asked.options.rankBounds = arrays.rankBounds();
   asked.voronoiPolygon = asked.clipsAtPolygon() ? arrays.voronoiPolygon() : asked.voronoiPolygon;
   return asked;
 }

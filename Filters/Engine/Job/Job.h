@@ -8,9 +8,11 @@
 #include "../Refine/Refine.h"
 #include "CheckedMemory.h"
 #include "InputArrays.h"
+#include "JobTiles.h"
 #include "OutlineRun.h"
 #include "Progress.h"
 #include "Projections.h"
+#include "Refusal.h"
 #include "Run.h"
 #include "Sampling.h"
 #include "Settings.h"
@@ -91,6 +93,17 @@ public:
   void editWith(std::uint64_t more, const std::function<Status(Edit&, const Context&)>& work);
   const Edit& edited();
 
+  /// Many points leaf by leaf, apart from input and result.
+  JobTiles& tiles() { return tiles_; }
+  /// Calls work(context) with progress of its own.
+  template <typename Work>
+  void apart(const Work& work)
+  {
+    const Apart apart(progress);
+    withThreads(work);
+    ahd::check(progress.finish() ? Status::Ok : Status::Cancelled);
+  }
+
   /// Refines the result, which keeps it. Refuses what findRefineFault() finds, and more.
   const Refinement& refine(const RefineRequest& request);
   /// Refuses if there is none.
@@ -164,6 +177,7 @@ private:
   std::unique_ptr<JobResult> result_;
   std::unique_ptr<Outline> outline_;
   std::unique_ptr<Edit> edit_; ///< made when first used
+  JobTiles tiles_;
   RunReport report_;
 };
 

@@ -44,7 +44,8 @@ const std::vector<Index>* outlineList(const Job& job, const char* name)
 
 const char* outlineArrayName(std::size_t number)
 {
-  return number < std::size(kOutlineRows) ? kOutlineRows[number].name : nullptr;
+  static_assert(std::size(kOutlineRows) == kOutlineArrays, "a row for each");
+  return number < kOutlineArrays ? kOutlineRows[number].name : nullptr;
 }
 
 const Outline& Job::outline() const

@@ -14,21 +14,9 @@
 
 namespace ahd
 {
-namespace
-{
 
-SamplePlaces placesOf(const GivenPlaces& given)
+SampleRaster wholeRaster(const GivenPlaces& given)
 {
-  if (given.xy || given.count > 0)
-  {
-    if (!given.xy)
-    {
-      refuse(
-        Reason::BadArray, "There are " + std::to_string(given.count) + " places, but xy is null.");
-    }
-    checkCount(given.count, "places");
-    return SamplePlaces(PointView(given.xy, static_cast<std::size_t>(given.count), 2));
-  }
   for (std::size_t k = 0; k < 2; ++k)
   {
     if (!std::isfinite(given.origin[k]) || !std::isfinite(given.spacing[k]) ||
@@ -49,6 +37,27 @@ SamplePlaces placesOf(const GivenPlaces& given)
   raster.spacing = { given.spacing[0], given.spacing[1] };
   raster.columns = static_cast<std::size_t>(given.columns);
   raster.rows = static_cast<std::size_t>(given.rows);
+  return raster;
+}
+
+namespace
+{
+
+SamplePlaces placesOf(const GivenPlaces& given, const JobSettings& settings)
+{
+  if (given.xy || given.count > 0)
+  {
+    if (!given.xy)
+    {
+      refuse(
+        Reason::BadArray, "There are " + std::to_string(given.count) + " places, but xy is null.");
+    }
+    checkCount(given.count, "places");
+    return SamplePlaces(PointView(given.xy, static_cast<std::size_t>(given.count), 2));
+  }
+  SampleRaster raster = wholeRaster(given);
+  raster.firstColumn = static_cast<std::size_t>(settings[IntSetting::SampleFirstColumn]);
+  raster.firstRow = static_cast<std::size_t>(settings[IntSetting::SampleFirstRow]);
   return SamplePlaces(raster);
 }
 
@@ -65,7 +74,7 @@ Sampling::Sampling(Job& job, const GivenPlaces& places)
   : job_(job)
   , made_(job.result())
   , kept_(made_.sampling)
-  , places_(placesOf(places))
+  , places_(placesOf(places, job.settings))
   , method_(SampleMethod(job.settings[IntSetting::SampleMethod]))
   , outside_(method_ == SampleMethod::Nearest
         ? OutsideValues::None

@@ -50,6 +50,8 @@ struct GivenPlaces
   std::array<double, 2> origin, spacing;
   std::uint64_t columns, rows;
 };
+/// As a raster. Refuses what is none.
+SampleRaster wholeRaster(const GivenPlaces& given);
 
 /// Numbers to interpolate.
 struct GivenSamples

@@ -35,7 +35,7 @@ public:
     , options_(options)
     , ticker_(ticker)
     , boxes_(boxes)
-    , grid_(points.bounds)
+    , grid_(points.whole)
   {
   }
 

@@ -3,6 +3,7 @@
 #define ahd_Rank_h
 
 #include "../Core/Progress.h"
+#include "../Options.h"
 #include "../Points/Points.h"
 #include "../Result.h"
 #include "RankedPoints.h"
@@ -13,7 +14,7 @@ namespace ahd
 {
 
 // The canonical rank of a point, a function of the point set alone:
-// 1. x and y are quantised to 32 bits each over the bounding box (Quantise.h);
+// 1. x and y are quantised to 32 bits each over the bounding box, or a larger one (Quantise.h);
 // 2. points are sorted by their place on the Hilbert curve of 32 levels (HilbertCurve.h);
 // 3. up to kTiedByCoordinates distinct points of one place are sorted by (x, y); more than that are
 //    ranked again by these rules in their own bounding box.
@@ -33,9 +34,11 @@ constexpr std::size_t rankScratchBytes(std::size_t n)
 // Both functions use all threads that are lent to the phase; the result, the order of duplicates
 // included, does not depend on their number.
 
-/// Reads each point once (phase Read): sets out.bounds, out.notFinite and out.skipped; skipped
-/// points are not read. out.count becomes the number of finite points.
-Status readPoints(const PointView& points, Ticker& reading, RankedPoints& out);
+/// Reads each point once (phase Read): sets out.bounds, out.whole, out.notFinite and out.skipped;
+/// skipped points are not read. out.count becomes the number of finite points. `least`: what
+/// out.whole holds besides out.bounds.
+Status readPoints(
+  const PointView& points, Ticker& reading, RankedPoints& out, const RankBounds& least = {});
 
 /// Sorts the points by rank and drops duplicates; sets the rest of `out`. out.scratch is made
 /// larger if it has not rankScratchBytes(out.count) bytes.

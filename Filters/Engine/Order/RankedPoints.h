@@ -32,6 +32,7 @@ struct RankedPoints
   /// uses once the keys are no longer needed.
   Scratch scratch;
   Bounds bounds;                ///< of the distinct points
+  Bounds whole;                 ///< that ranks refer to: larger, if the points are some of others
   Buffer<Duplicate> duplicates; ///< in no particular order, but the same for any number of threads
   std::size_t notFinite = 0;
   std::size_t skipped = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../Core/Chunks.h"
 #include "../Core/Tasks.h"
+#include "../Points/JoinedBounds.h"
 #include "Rank.h"
 
 #include <algorithm>
@@ -122,7 +123,8 @@ bool readShare(const PointView& points, const Share& share, Ticker& ticker, Seen
 
 } // namespace
 
-Status readPoints(const PointView& points, Ticker& ticker, RankedPoints& out)
+Status readPoints(
+  const PointView& points, Ticker& ticker, RankedPoints& out, const RankBounds& least)
 {
   const std::size_t tasks = tasksFor(
     threadsOf(ticker), points.count, kReadersPerThread, kFewToRead);
@@ -143,6 +145,7 @@ Status readPoints(const PointView& points, Ticker& ticker, RankedPoints& out)
   out.notFinite = all.notFinite;
   out.skipped = all.skipped;
   out.bounds = all.extremes.bounds();
+  out.whole = joined(out.bounds, Bounds{ least.xmin, least.xmax, least.ymin, least.ymax });
   out.count = static_cast<Index>(points.count - out.notFinite - out.skipped);
   return Status::Ok;
 }

@@ -44,7 +44,7 @@ unsigned bucketBits(std::size_t n)
 
 Scatter::Scatter(const PointView& points, const RankedPoints& ranked, std::size_t threads)
   : points_(points)
-  , grid_(ranked.bounds)
+  , grid_(ranked.whole)
   , plain_(ranked.count == points.count)
   , bits_(bucketBits(ranked.count))
   , tasks_(std::min(kMostTasks, tasksFor(threads, ranked.count, kTasksPerThread, kFewPoints)))

@@ -88,6 +88,7 @@ int main(int argc, char** argv)
     test_unchanged();
     test_at_once();
     test_simplify();
+    test_tiles();
   }
   if (ahd_failures > 0)
   {

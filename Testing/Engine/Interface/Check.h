@@ -81,5 +81,6 @@ void test_trouble(void);
 void test_unchanged(void);
 void test_at_once(void);
 void test_simplify(void);
+void test_tiles(void);
 
 #endif

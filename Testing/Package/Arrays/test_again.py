@@ -15,7 +15,7 @@ from arraysupport import ROOT, TABLE, drawn_by
 STEPS, SEEDS = 40, range(1, 9)
 # Of memory, and those that questions set.
 OTHERS = ("memory_limit", "other_memory", "other_memory_per_point", "want_samples", "sample_method", "sample_outside",
-          "threads")  # fmt: skip
+          "sample_first_column", "sample_first_row", "threads")  # fmt: skip
 # Values to draw from, where these say more than all of a choice, or the default and a fifth.
 BETTER = {
     "plane": (0, 0, 1, 2), "bounding": (0, 0, 1), "nmax": (1, 7, 50), "insertion_limit": (0, 0, 40),
@@ -53,7 +53,8 @@ def new_arrays(numbers):
     made = {"points": points, "skip": None, "source_points": None, "line_ids": None, "line_offsets": None,
             "loop_ids": None, "loop_offsets": None, "matrix": np.array(np.eye(4)[[1, 2, 0, 3]]),
             "voronoi_polygon": numbers.random((3, 2)), "surface": None, "surface_edges": None, "cells": None,
-            "cell_offsets": None, "cell_groups": None}  # fmt: skip
+            "cell_offsets": None, "cell_groups": None,
+            "rank_bounds": np.array([[-1.0, 2.0], [-1.0, 3.0]]) if own > 6 else None}  # fmt: skip
     if count and numbers.random() < 0.3:
         made.update(surface_of(points, numbers))
         return made

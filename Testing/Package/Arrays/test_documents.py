@@ -113,7 +113,8 @@ class DocumentTest(unittest.TestCase):
     def test_the_headers_name_all_that_the_library_knows_by_name(self):
         folder = os.path.join(ROOT, "Filters", "Engine", "Interface")
         text = ""
-        for header in ("ahd.h", "ahd_edit.h", "ahd_messages.h", "ahd_outline.h", "ahd_refine.h", "ahd_sample.h"):
+        for header in ("ahd.h", "ahd_edit.h", "ahd_messages.h", "ahd_outline.h", "ahd_refine.h", "ahd_sample.h",
+                       "ahd_tiles.h"):
             with open(os.path.join(folder, header), encoding="utf-8") as file:
                 text += file.read()
         for kind in range(6):

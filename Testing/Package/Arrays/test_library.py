@@ -20,7 +20,8 @@ INTERFACE = os.path.join(ROOT, "Filters", "Engine", "Interface")
 
 def header():
     text = ""
-    for name in ("ahd.h", "ahd_edit.h", "ahd_messages.h", "ahd_outline.h", "ahd_refine.h", "ahd_sample.h"):
+    for name in ("ahd.h", "ahd_edit.h", "ahd_messages.h", "ahd_outline.h", "ahd_refine.h", "ahd_sample.h",
+                 "ahd_tiles.h"):
         with open(os.path.join(INTERFACE, name), encoding="utf-8") as file:
             text += file.read()
     return text
@@ -68,6 +69,8 @@ class HeaderTest(unittest.TestCase):
                           re.MULTILINE)  # fmt: skip
         shapes = {name: (kind, int(columns or 1)) for name, kind, _, columns in rows}
         for name in library.names(library.OUTPUT_ARRAYS):
+            if name.startswith("tiles_"):  # of visits
+                continue
             array, (kind, columns) = job.array(name), shapes[name]
             self.assertEqual(array.shape, job.array_shape(name)[: array.ndim], name)
             self.assertEqual(array.shape[1:], (columns,) if columns > 1 else (), name)
@@ -90,6 +93,7 @@ class HeaderTest(unittest.TestCase):
             "other_memory": "for VTK's arrays", "other_memory_per_point": "",
             "progress_delay": "set for Ctrl-C",
             "sample_method": "Triangulation.interpolate", "sample_outside": "",
+            "sample_first_column": "for tiles", "sample_first_row": "",
         }  # fmt: skip
         names = {"split_crossings": "crossings", "closed_lines": "closed_lines_are_loops"}
         keywords = set(inspect.signature(delaunay).parameters)

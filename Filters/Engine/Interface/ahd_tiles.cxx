@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The part of the C interface for more points than memory holds.
+#include "ahd_tiles.h"
+
+#include "Call.h"
+
+#include <algorithm>
+
+using namespace ahd::calls;
+
+namespace
+{
+
+std::vector<ahd::GivenBytes> bytesOf(const ahd_bytes* given, uint64_t count)
+{
+  if (count > 0)
+  {
+    mustHave(given, "bytes");
+  }
+  ahd::checkCount(count, "bytes");
+  std::vector<ahd::GivenBytes> bytes;
+  for (uint64_t k = 0; k < count; ++k)
+  {
+    bytes.push_back({ given[k].data, given[k].size });
+  }
+  return bytes;
+}
+
+ahd::GivenTile tileOf(uint64_t leaf, const ahd_array* points, const int64_t* ids)
+{
+  mustHave(points, "points");
+  return { leaf, ahd::arrayOf(*points), ids };
+}
+
+ahd::Representative representativeOf(const ahd::Job& own)
+{
+  const auto wished = ahd::Duplicates(own.settings[ahd::IntSetting::Duplicates]);
+  if (wished == ahd::Duplicates::MeanZ)
+  {
+    ahd::refuse(ahd::Reason::BadValue, "Tiles have no AHD_DUPLICATES_MEAN_Z.");
+  }
+  return ahd::Representative(wished);
+}
+
+} // namespace
+
+ahd_status ahd_tiles_begin(ahd_job* job, const double bounds[4])
+{
+  return call(job, [=](ahd::Job& own) { own.tiles().begin(bounds); });
+}
+
+ahd_status ahd_tiles_count(ahd_job* job, const ahd_array* points)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      mustHave(points, "points");
+      own.apart(
+        [&](const ahd::Context& context) { own.tiles().count(ahd::arrayOf(*points), context); });
+    });
+}
+
+ahd_status ahd_tiles_plan(ahd_job* job, uint64_t most, const double extent[4], int32_t* again)
+{
+  return give(job, again, "again",
+    [=](ahd::Job& own) { return int32_t(own.tiles().endPass(most, extent) ? 1 : 0); });
+}
+
+ahd_status ahd_tiles_load(ahd_job* job, const void* plan, uint64_t size)
+{
+  return call(job, [=](ahd::Job& own) { own.tiles().load({ plan, size }); });
+}
+
+ahd_status ahd_tiles_get_facts(ahd_job* job, ahd_tiles_facts* facts)
+{
+  return give(job, facts, "facts",
+    [](ahd::Job& own)
+    {
+      const ahd::TilePlan& plan = own.tiles().plan();
+      uint64_t most = 0;
+      for (std::size_t k = 0; k < plan.leaves(); ++k)
+      {
+        most = std::max<uint64_t>(most, plan.leaf(k).count);
+      }
+      return ahd_tiles_facts{ plan.facts().points, plan.facts().notFinite, plan.leaves(),
+        plan.parts() - plan.leaves(), most };
+    });
+}
+
+ahd_status ahd_tiles_leaf_of(ahd_job* job, const ahd_array* points, int32_t* leaves)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      mustHave(points, "points");
+      if (points->rows > 0)
+      {
+        mustHave(leaves, "leaves");
+      }
+      own.apart([&](const ahd::Context& context)
+        { own.tiles().findLeaves(ahd::arrayOf(*points), leaves, context); });
+    });
+}
+
+ahd_status ahd_tiles_cells(ahd_job* job, uint64_t leaf, const ahd_places* raster, uint64_t piece[4])
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      mustHave(raster, "raster");
+      mustHave(piece, "piece");
+      const ahd::SampleRaster found = own.tiles().piece(
+        leaf, ahd::wholeRaster(ahd::placesOf(*raster)));
+      const std::size_t numbers[] = { found.firstColumn, found.firstRow, found.columns,
+        found.rows };
+      std::copy(numbers, numbers + 4, piece);
+    });
+}
+
+ahd_status ahd_tiles_lines(ahd_job* job, const double* xy, const int64_t* offsets, uint64_t lines,
+  uint64_t chains, int32_t fill_rule)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      static_cast<void>(xy);
+      static_cast<void>(offsets);
+      static_cast<void>(lines);
+      static_cast<void>(fill_rule);
+      own.tiles().plan();
+      if (chains > 0)
+      {
+        ahd::refuse(ahd::Reason::NotAvailable, "Tiles have no lines and loops yet.");
+      }
+    });
+}
+
+ahd_status ahd_tiles_visit(ahd_job* job, uint64_t leaf, const ahd_array* points, const int64_t* ids)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      const ahd::GivenTile tile = tileOf(leaf, points, ids);
+      own.apart([&](const ahd::Context& context)
+        { own.tiles().visit(tile, representativeOf(own), context); });
+    });
+}
+
+ahd_status ahd_tiles_merge(ahd_job* job, uint64_t node, const ahd_bytes* borders, uint64_t count)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      const auto given = bytesOf(borders, count);
+      own.apart([&](const ahd::Context& context) { own.tiles().merge(node, given, context); });
+    });
+}
+
+ahd_status ahd_tiles_triangles(ahd_job* job, uint64_t leaf, const ahd_array* points,
+  const int64_t* ids, const ahd_bytes* own_bytes, const ahd_bytes* shares, uint64_t count)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      const ahd::GivenTile tile = tileOf(leaf, points, ids);
+      const auto given = bytesOf(shares, count);
+      const auto ownGiven = bytesOf(own_bytes, 1);
+      own.apart([&](const ahd::Context& context)
+        { own.tiles().makeTriangles(tile, ownGiven[0], given, context); });
+    });
+}
+
+ahd_status ahd_tiles_list(ahd_job* job, uint64_t leaf, const ahd_bytes* shares, uint64_t count)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      const auto given = bytesOf(shares, count);
+      own.apart([&](const ahd::Context& context) { own.tiles().makeList(leaf, given, context); });
+    });
+}
+
+ahd_status ahd_tiles_surface(ahd_job* job, uint64_t leaf, const ahd_array* points,
+  const int64_t* ids, const ahd_bytes* own_bytes, const ahd_bytes* shares, uint64_t count)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      tileOf(leaf, points, ids);
+      bytesOf(own_bytes, 1);
+      bytesOf(shares, count);
+      own.tiles().plan();
+      ahd::refuse(ahd::Reason::NotAvailable, "Tiles have no lines and loops yet.");
+    });
+}

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "JobTiles.h"
+
+#include "../Core/Border.h"
+#include "../Core/Chunks.h"
+#include "../Core/FloatingPoint.h"
+#include "Arrays.h"
+#include "Job.h"
+#include "Refusal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <string>
+
+namespace ahd
+{
+namespace
+{
+
+constexpr std::uint64_t kUsualMost = 200000;
+
+/// xmin, xmax, ymin, ymax; empty where null.
+Bounds boundsOf(const double* given, const char* what)
+{
+  if (!given)
+  {
+    return {};
+  }
+  const bool isBox = std::all_of(given, given + 4, [](double v) { return std::isfinite(v); }) &&
+    given[0] <= given[1] && given[2] <= given[3];
+  if (!isBox)
+  {
+    refuse(Reason::BadValue, std::string(what) + " is not xmin, xmax, ymin, ymax.");
+  }
+  return { given[0] + 0.0, given[1] + 0.0, given[2] + 0.0, given[3] + 0.0 };
+}
+
+std::vector<TileView> viewsOf(const std::vector<GivenBytes>& given)
+{
+  std::vector<TileView> views;
+  for (const GivenBytes& bytes : given)
+  {
+    views.push_back({ static_cast<const unsigned char*>(bytes.data),
+      bytes.data ? static_cast<std::size_t>(bytes.size) : 0 });
+  }
+  return views;
+}
+
+} // namespace
+
+const TileVisits& JobTiles::visits() const
+{
+  if (!visits_)
+  {
+    refuse(
+      Reason::NotAvailable, "There is no plan: ahd_tiles_plan() or ahd_tiles_load() make one.");
+  }
+  return *visits_;
+}
+
+std::size_t JobTiles::checkedLeaf(std::uint64_t leaf) const
+{
+  if (leaf >= plan().leaves())
+  {
+    refuse(Reason::BadValue,
+      "There is no leaf " + std::to_string(leaf) + " of " + std::to_string(plan().leaves()) + ".");
+  }
+  return static_cast<std::size_t>(leaf);
+}
+
+// ------------------------------------------------------------------------------------ the plan
+
+void JobTiles::begin(const double* bounds)
+{
+  const Bounds guess = boundsOf(bounds, "The guess of the bounds");
+  *this = JobTiles();
+  counter_ = std::make_unique<TileCounter>(guess);
+}
+
+void JobTiles::count(const GivenArray& points, const Context& context)
+{
+  if (!counter_)
+  {
+    refuse(Reason::NotAvailable, "No plan was begun: ahd_tiles_begin() does.");
+  }
+  const OpenPoints opened(points, context);
+  check(counter_->count(opened.view, context));
+}
+
+bool JobTiles::endPass(std::uint64_t most, const double* extent)
+{
+  if (!counter_)
+  {
+    refuse(Reason::NotAvailable, "No plan was begun: ahd_tiles_begin() does.");
+  }
+  const ScopedFloatingPoint asAssumed;
+  const Bounds places = boundsOf(extent, "The extent");
+  TileFacts facts;
+  const TileCounter::Next next = counter_->endPass(most == 0 ? kUsualMost : most, facts);
+  if (next == TileCounter::Next::Again)
+  {
+    return true;
+  }
+  counter_.reset();
+  if (next == TileCounter::Next::Different)
+  {
+    refuse(Reason::BadArray, "These are other points than in the pass before: begin anew.");
+  }
+  facts.extent = joined(facts.bounds, places);
+  facts.hasPlaces = isEmpty(places) ? 0 : 1;
+  take(std::move(facts));
+  return false;
+}
+
+void JobTiles::take(TileFacts&& facts)
+{
+  for (const TileLeaf& leaf : facts.leaves)
+  {
+    if (leaf.count > kMaximumPoints)
+    {
+      refuse(Reason::TooManyPoints,
+        std::to_string(leaf.count) + " points lie in one of 2^32 x 2^32 cells: at most " +
+          std::to_string(kMaximumPoints) + ".");
+    }
+  }
+  output_ = TileOutput();
+  visits_ = std::make_unique<TileVisits>(std::move(facts));
+  const TilePlan& made = plan();
+  tables_ = TileTables();
+  tables_.plan = made.write();
+  for (std::size_t k = 0; k != made.leaves(); ++k)
+  {
+    const Bounds& b = made.box(k);
+    tables_.counts.push_back(static_cast<std::int64_t>(made.leaf(k).count));
+    tables_.boxes.insert(tables_.boxes.end(), { b.xmin, b.xmax, b.ymin, b.ymax });
+  }
+  for (const std::size_t parent : made.parents())
+  {
+    tables_.parents.push_back(parent == made.parts() ? -1 : static_cast<std::int64_t>(parent));
+  }
+  const Bounds& all = made.facts().bounds;
+  tables_.bounds = { all.xmin, all.xmax, all.ymin, all.ymax };
+}
+
+const TileTables& JobTiles::tables() const
+{
+  visits();
+  return tables_;
+}
+
+void JobTiles::load(const GivenBytes& plan)
+{
+  const ScopedFloatingPoint asAssumed;
+  TileFacts facts;
+  if (!plan.data ||
+    !TilePlan::read(
+      static_cast<const unsigned char*>(plan.data), static_cast<std::size_t>(plan.size), facts))
+  {
+    refuse(Reason::BadArray, "These bytes are no plan.");
+  }
+  counter_.reset();
+  take(std::move(facts));
+}
+
+void JobTiles::findLeaves(
+  const GivenArray& points, std::int32_t* leaves, const Context& context) const
+{
+  const TilePlan& plan = this->plan();
+  const OpenPoints opened(points, context);
+  check(unlessCancelled(
+    [&]
+    {
+      Ticker ticker(context.progress, Phase::Outputs, opened.view.count);
+      return inSteps(0, opened.view.count, ticker,
+        [&](std::size_t i) { leaves[i] = static_cast<std::int32_t>(plan.leafOf(opened.view[i])); });
+    }));
+}
+
+SampleRaster JobTiles::piece(std::uint64_t leaf, const SampleRaster& whole) const
+{
+  const ScopedFloatingPoint asAssumed;
+  const std::size_t k = checkedLeaf(leaf);
+  if (!plan().holds(whole))
+  {
+    refuse(Reason::BadValue, "A cell of the raster is not in the extent of the plan.");
+  }
+  return plan().pieceOf(whole, k);
+}
+
+// ---------------------------------------------------------------------------------- the visits
+
+void JobTiles::refuseFault(
+  const TilePoints& given, const TileKept& kept, const Context& context) const
+{
+  const char* fault = nullptr;
+  check(visits().findFault(given, kept, context, fault));
+  if (fault)
+  {
+    refuse(Reason::BadArray, fault);
+  }
+}
+
+void JobTiles::visit(const GivenTile& tile, Representative representative, const Context& context)
+{
+  const OpenPoints opened(tile.points, context);
+  const TilePoints given{ checkedLeaf(tile.leaf), opened.view, tile.ids };
+  refuseFault(given, {}, context);
+  check(visits().visit(given, representative, context, output_));
+}
+
+void JobTiles::merge(
+  std::uint64_t node, const std::vector<GivenBytes>& borders, const Context& context)
+{
+  if (node < plan().leaves() || node >= plan().parts())
+  {
+    refuse(Reason::BadValue,
+      "Part " + std::to_string(node) + " is no node: these are " + std::to_string(plan().leaves()) +
+        " to " + std::to_string(plan().root()) + ".");
+  }
+  std::vector<TileBorder> read;
+  if (!visits().readBorders(static_cast<std::size_t>(node), viewsOf(borders), read))
+  {
+    refuse(Reason::BadArray, "These are not the borders of the parts that the node joins.");
+  }
+  check(visits().merge(static_cast<std::size_t>(node), read, context, output_));
+}
+
+std::vector<TileSection> JobTiles::sectionsOf(
+  std::uint64_t leaf, const std::vector<GivenBytes>& shares) const
+{
+  std::vector<TileSection> sections;
+  if (!visits().readSections(checkedLeaf(leaf), viewsOf(shares), sections))
+  {
+    refuse(Reason::BadArray, "These are not the shares of the nodes above the leaf.");
+  }
+  return sections;
+}
+
+void JobTiles::makeTriangles(const GivenTile& tile, const GivenBytes& own,
+  const std::vector<GivenBytes>& shares, const Context& context)
+{
+  const std::vector<TileSection> sections = sectionsOf(tile.leaf, shares);
+  const TileView ownView = viewsOf({ own })[0];
+  const OpenPoints opened(tile.points, context);
+  const TilePoints given{ checkedLeaf(tile.leaf), opened.view, tile.ids };
+  const TileKept kept{ &ownView, &sections };
+  refuseFault(given, kept, context);
+  check(visits().makeTriangles(given, kept, context, output_));
+}
+
+void JobTiles::makeList(
+  std::uint64_t leaf, const std::vector<GivenBytes>& shares, const Context& context)
+{
+  const std::vector<TileSection> sections = sectionsOf(leaf, shares);
+  check(visits().makeList(static_cast<std::size_t>(leaf), sections, context, output_));
+}
+
+// ---------------------------------------------------------------------------------- the arrays
+
+namespace
+{
+
+template <typename Number>
+TileArray arrayOf(const std::vector<Number>& list, NumberType type, std::size_t columns)
+{
+  return { type, list.size() / columns, columns, list.data() };
+}
+
+struct TileRow
+{
+  const char* name;
+  TileArray (*array)(const JobTiles& tiles);
+};
+constexpr TileRow kTileRows[] = {
+  { "tiles_plan", [](const JobTiles& t) { return arrayOf(t.tables().plan, kUint8, 1); } },
+  { "tiles_counts", [](const JobTiles& t) { return arrayOf(t.tables().counts, kInt64, 1); } },
+  { "tiles_boxes", [](const JobTiles& t) { return arrayOf(t.tables().boxes, kFloat64, 4); } },
+  { "tiles_parents", [](const JobTiles& t) { return arrayOf(t.tables().parents, kInt64, 1); } },
+  { "tiles_bounds", [](const JobTiles& t) { return arrayOf(t.tables().bounds, kFloat64, 2); } },
+  { "tiles_border", [](const JobTiles& t) { return arrayOf(t.output().border, kUint8, 1); } },
+  { "tiles_own", [](const JobTiles& t) { return arrayOf(t.output().own, kUint8, 1); } },
+  { "tiles_share", [](const JobTiles& t) { return arrayOf(t.output().share, kUint8, 1); } },
+  { "tiles_triangles", [](const JobTiles& t) { return arrayOf(t.output().triangles, kInt64, 3); } },
+  { "tiles_edges", [](const JobTiles& t) { return arrayOf(t.output().edges, kUint8, 1); } },
+  { "tiles_list_points",
+    [](const JobTiles& t) { return arrayOf(t.output().listPoints, kFloat64, 2); } },
+  { "tiles_list_ids", [](const JobTiles& t) { return arrayOf(t.output().listIds, kInt64, 1); } },
+  { "tiles_surface", [](const JobTiles& t) { return arrayOf(t.output().surface, kInt64, 3); } },
+  { "tiles_surface_edges",
+    [](const JobTiles& t) { return arrayOf(t.output().surfaceEdges, kUint8, 1); } },
+};
+
+} // namespace
+
+TileArray tileArray(Job& job, const char* name)
+{
+  for (const TileRow& row : kTileRows)
+  {
+    if (name && std::strcmp(row.name, name) == 0)
+    {
+      job.tiles().plan(); // or it is refused
+      return row.array(job.tiles());
+    }
+  }
+  return { kUint8, 0, 0, nullptr };
+}
+
+const char* tileArrayName(std::size_t number)
+{
+  return number < std::size(kTileRows) ? kTileRows[number].name : nullptr;
+}
+
+} // namespace ahd

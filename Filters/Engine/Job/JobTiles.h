@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_JobTiles_h
+#define ahd_JobTiles_h
+
+#include "../Tiles/TileCounter.h"
+#include "../Tiles/TileVisits.h"
+#include "InputArrays.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace ahd
+{
+
+/// Bytes that a caller kept.
+struct GivenBytes
+{
+  const void* data;
+  std::uint64_t size;
+};
+
+/// A leaf's points as the caller gives them.
+struct GivenTile
+{
+  std::uint64_t leaf;
+  GivenArray points;
+  const std::int64_t* ids; ///< null: none
+};
+
+/// The plan as arrays.
+struct TileTables
+{
+  BlockBytes plan;
+  std::vector<std::int64_t> counts, parents;
+  std::vector<double> boxes, bounds;
+};
+
+/// Many points leaf by leaf, for a job: the plan, and what the last visit gave. Its functions
+/// refuse (Refusal.h) what is unfit, and where they are cancelled.
+class JobTiles
+{
+public:
+  /// `bounds`: xmin, xmax, ymin, ymax; null: none.
+  void begin(const double* bounds);
+  void count(const GivenArray& points, const Context& context);
+  /// Is another pass needed?
+  bool endPass(std::uint64_t most, const double* extent);
+  void load(const GivenBytes& plan);
+
+  const TilePlan& plan() const { return visits().plan(); }
+  const TileOutput& output() const { return output_; }
+  const TileTables& tables() const;
+
+  void findLeaves(const GivenArray& points, std::int32_t* leaves, const Context& context) const;
+  /// The cells of the raster that belong to the leaf.
+  SampleRaster piece(std::uint64_t leaf, const SampleRaster& whole) const;
+
+  void visit(const GivenTile& tile, Representative representative, const Context& context);
+  void merge(std::uint64_t node, const std::vector<GivenBytes>& borders, const Context& context);
+  void makeTriangles(const GivenTile& tile, const GivenBytes& own,
+    const std::vector<GivenBytes>& shares, const Context& context);
+  void makeList(std::uint64_t leaf, const std::vector<GivenBytes>& shares, const Context& context);
+
+private:
+  const TileVisits& visits() const;
+  std::size_t checkedLeaf(std::uint64_t leaf) const;
+  void take(TileFacts&& facts);
+  void refuseFault(const TilePoints& given, const TileKept& kept, const Context& context) const;
+  std::vector<TileSection> sectionsOf(
+    std::uint64_t leaf, const std::vector<GivenBytes>& shares) const;
+
+  std::unique_ptr<TileCounter> counter_; ///< between begin() and the end of the last pass
+  std::unique_ptr<TileVisits> visits_;   ///< null: there is no plan
+  TileTables tables_;
+  TileOutput output_;
+};
+
+} // namespace ahd
+
+#endif

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_TileBytes_h
+#define ahd_TileBytes_h
+
+#include "../Distribute/Part.h"
+#include "TilePlan.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+namespace ahd
+{
+
+// What visits leave for later ones, as bytes that a caller keeps. They begin with what they are,
+// and of which plan and part. Numbers are written as they lie in memory.
+
+/// Bytes of the caller's.
+struct TileView
+{
+  const unsigned char* data;
+  std::size_t size;
+};
+
+enum class TileKind : std::uint64_t
+{
+  Border = 1, ///< of a part: for the node that joins it
+  Own = 2,    ///< of a leaf: triangles that are final there
+  Share = 3   ///< of a node: for each leaf that it joins
+};
+
+/// What follows is of this kind, and of this part. @pre `bytes` is empty
+void beginBytes(TileKind kind, const TilePlan& plan, std::size_t part, BlockBytes& bytes);
+/// All of it is written.
+void endBytes(BlockBytes& bytes);
+/// What follows; null data unless the bytes are whole and as is said. Reads a few bytes.
+TileView contentOf(TileKind kind, const TilePlan& plan, std::size_t part, const TileView& bytes);
+
+/// What goes from a part to the node that joins it.
+struct TileBorder
+{
+  PartBorder border;
+  /// Of each edge, the piece of the final region on its left; empty if there are no loops.
+  std::vector<Index> pieces;
+
+  auto fields() { return std::tie(border, pieces); }
+};
+
+/// What a leaf needs of a node above: the triangles that have become final there whose closed
+/// circumdiscs meet its box, so all that have a corner in it; their corners, and more points.
+struct TileSection
+{
+  /// The lowest corner is the leaf's. Bits 0 to 2: constraint edges, from the first corner on.
+  static constexpr std::uint8_t kOwned = 8;
+
+  std::vector<BorderPoint> points;
+  std::vector<std::array<Index, 3>> corners; ///< places among the points, counterclockwise
+  std::vector<std::uint8_t> flags;           ///< of each triangle
+
+  auto fields() { return std::tie(points, corners, flags); }
+};
+
+/// Writes the share of a node, section by section, leaves ascending.
+class ShareWriter
+{
+public:
+  /// `leaves`: that get a section, ascending.
+  ShareWriter(
+    const TilePlan& plan, std::size_t node, const std::vector<Index>& leaves, BlockBytes& bytes);
+  /// The next one.
+  void add(const TileSection& section);
+  void end() { endBytes(bytes_); }
+
+private:
+  BlockBytes& bytes_;
+  std::size_t index_; ///< where the ends of sections are written
+};
+
+/// Reads the section of a leaf, an empty one if it has none. False if these bytes are not the
+/// share of the node.
+bool readSection(const TilePlan& plan, std::size_t node, std::size_t leaf, const TileView& share,
+  TileSection& section);
+
+} // namespace ahd
+
+#endif

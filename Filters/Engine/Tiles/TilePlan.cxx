@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TilePlan.h"
+
+#include "../Predicates/Distances.h"
+#include "../Sample/BoxNeighbors.h"
+#include "../Sample/NearestSeen.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ahd
+{
+
+namespace
+{
+
+constexpr std::uint64_t kKindOfPlan = 0x414844506C616E31; // "AHDPlan1"
+
+Fingerprint fingerprintOf(const BlockBytes& bytes, std::size_t count)
+{
+  FingerprintSum sum;
+  const std::size_t words = count / FingerprintSum::kWord;
+  sum.add(bytes.data(), 0, words, words);
+  return sum.finish(bytes.data(), count, kKindOfPlan);
+}
+
+/// The first number from 0 to `end` for which `is` holds, which then holds for all that follow.
+template <typename Is>
+std::size_t firstOf(std::size_t end, Is is)
+{
+  std::size_t begin = 0;
+  while (begin < end)
+  {
+    const std::size_t middle = begin + (end - begin) / 2;
+    if (is(middle))
+    {
+      end = middle;
+    }
+    else
+    {
+      begin = middle + 1;
+    }
+  }
+  return begin;
+}
+
+struct Range
+{
+  std::size_t begin, end;
+};
+
+/// Of `count` numbers, ascending or descending, those from low to high.
+template <typename At>
+Range rangeWithin(std::size_t count, double low, double high, At at)
+{
+  const bool ascends = count < 2 || at(0) <= at(count - 1);
+  const std::size_t begin = firstOf(
+    count, [&](std::size_t k) { return ascends ? at(k) >= low : at(k) <= high; });
+  const std::size_t end = firstOf(
+    count, [&](std::size_t k) { return ascends ? at(k) > high : at(k) < low; });
+  return { begin, std::max(begin, end) };
+}
+
+} // namespace
+
+TilePlan::TilePlan(TileFacts facts)
+  : facts_(std::move(facts))
+{
+  measure();
+  arrange();
+  BlockBytes bytes;
+  BytesWriter{ bytes }(facts_);
+  fingerprint_ = fingerprintOf(bytes, bytes.size());
+}
+
+/// Places of leaves. Those beyond the bounds are as their nearest places within these.
+void TilePlan::measure()
+{
+  const Bounds& inner = facts_.bounds;
+  const Bounds& outer = facts_.extent;
+  std::uint64_t points = 0;
+  for (const TileLeaf& leaf : facts_.leaves)
+  {
+    Bounds box = isEmpty(inner) ? outer : TileGrid(inner).placesOf(leaf.box());
+    if (!isEmpty(box) && !isEmpty(inner))
+    {
+      box = { box.xmin == inner.xmin ? outer.xmin : box.xmin,
+        box.xmax == inner.xmax ? outer.xmax : box.xmax,
+        box.ymin == inner.ymin ? outer.ymin : box.ymin,
+        box.ymax == inner.ymax ? outer.ymax : box.ymax };
+    }
+    boxes_.push_back(box);
+    reaches_.push_back(leaf.count != 0 || facts_.hasPlaces != 0 ? box : Bounds());
+    firstPoints_.push_back(points);
+    points += leaf.count;
+  }
+  growByRounding(outer, reaches_);
+  overlap_ = isEmpty(outer) ? 0.0 : 8.0 * roundingAt(sizeOf(outer));
+}
+
+void TilePlan::arrange()
+{
+  for (std::size_t k = 0; k != leaves(); ++k)
+  {
+    rows_.push_back({ k, k + 1 });
+    parents_.push_back(0);
+  }
+  std::size_t leaf = 0;
+  const std::size_t top = joinParts({}, leaf);
+  if (top < leaves()) // the only leaf
+  {
+    parents_[top] = parents_.size();
+    rows_.push_back(rows_[top]);
+    reaches_.push_back(reaches_[top]);
+    parents_.push_back(0);
+  }
+  parents_.back() = parents_.size();
+  joined_.resize(parents_.size());
+  for (std::size_t part = 0; part != root(); ++part)
+  {
+    joined_[parents_[part]].push_back(part);
+  }
+}
+
+/// The part of all leaves in the box, which has some, from `leaf` on; moves it behind these.
+std::size_t TilePlan::joinParts(const TileBox& box, std::size_t& leaf)
+{
+  if (facts_.leaves[leaf].level == box.level)
+  {
+    return leaf++;
+  }
+  const std::size_t first = leaf;
+  std::vector<std::size_t> joined;
+  Bounds reach;
+  for (unsigned q = 0; q != 4; ++q)
+  {
+    const TileBox quarter = box.quarter(q);
+    if (leaf != leaves() && quarter.has(facts_.leaves[leaf].key))
+    {
+      joined.push_back(joinParts(quarter, leaf));
+      reach = ahd::joined(reach, reaches_[joined.back()]);
+    }
+  }
+  if (joined.size() == 1)
+  {
+    return joined[0];
+  }
+  const std::size_t node = parents_.size();
+  for (const std::size_t part : joined)
+  {
+    parents_[part] = node;
+  }
+  parents_.push_back(0);
+  rows_.push_back({ first, leaf });
+  reaches_.push_back(reach);
+  return node;
+}
+
+std::int64_t TilePlan::leafOf(const Point& p) const
+{
+  if (!isFinite(p))
+  {
+    return -1;
+  }
+  const std::uint64_t key = isEmpty(facts_.bounds) ? 0 : TileGrid(facts_.bounds).keyOf(p);
+  const auto after = std::upper_bound(facts_.leaves.begin(), facts_.leaves.end(), key,
+    [](std::uint64_t k, const TileLeaf& leaf) { return k < leaf.key; });
+  return std::max<std::int64_t>(0, after - facts_.leaves.begin() - 1);
+}
+
+SampleRaster TilePlan::pieceOf(const SampleRaster& whole, std::size_t k) const
+{
+  const Bounds& b = boxes_[k];
+  const Range columns = rangeWithin(
+    whole.columns, b.xmin, b.xmax, [&](std::size_t c) { return whole.at(c, 0).x; });
+  const Range rows = rangeWithin(
+    whole.rows, b.ymin, b.ymax, [&](std::size_t r) { return whole.at(0, r).y; });
+  SampleRaster piece = whole;
+  piece.firstColumn += columns.begin;
+  piece.firstRow += rows.begin;
+  piece.columns = columns.end - columns.begin;
+  piece.rows = rows.end - rows.begin;
+  if (isEmpty(b) || piece.columns == 0 || piece.rows == 0)
+  {
+    piece.firstColumn = piece.firstRow = piece.columns = piece.rows = 0;
+  }
+  return piece;
+}
+
+bool TilePlan::holds(const SampleRaster& raster) const
+{
+  if (raster.columns == 0 || raster.rows == 0)
+  {
+    return true;
+  }
+  const Bounds& b = facts_.extent;
+  const auto has = [&b](const Point& p)
+  { return b.xmin <= p.x && p.x <= b.xmax && b.ymin <= p.y && p.y <= b.ymax; };
+  return has(raster.at(0, 0)) && has(raster.at(raster.columns - 1, raster.rows - 1));
+}
+
+BlockBytes TilePlan::write() const
+{
+  BlockBytes bytes;
+  BytesWriter writer{ bytes };
+  writer(facts_);
+  writer(fingerprint_);
+  return bytes;
+}
+
+bool TilePlan::read(const unsigned char* bytes, std::size_t size, TileFacts& facts)
+{
+  constexpr std::size_t kEnd = sizeof(Fingerprint);
+  if (size < kEnd)
+  {
+    return false;
+  }
+  const BlockBytes all(bytes, bytes + size);
+  Fingerprint said;
+  std::copy_n(all.end() - kEnd, kEnd, reinterpret_cast<unsigned char*>(&said));
+  if (said != fingerprintOf(all, size - kEnd))
+  {
+    return false;
+  }
+  facts = TileFacts();
+  BytesReader{ all }(facts);
+  return !facts.leaves.empty();
+}
+
+} // namespace ahd

@@ -1,0 +1,357 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/*
+ * ahd_tiles_...(): points leaf by leaf, from a plan to triangles and a raster; arrays, refusals,
+ * cancelling.
+ */
+#include "Check.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum
+{
+  kPoints = 3000,
+  kMost = 200,
+  kSide = 40,
+  kFew = 64 /* leaves and nodes at most */
+};
+
+/* All points, the leaf of each, and what visits gave. */
+typedef struct tiles
+{
+  ahd_job* job;
+  double* xy;
+  int32_t leaf_of[kPoints];
+  ahd_tiles_facts facts;
+  int64_t* parents;
+  ahd_bytes borders[kFew], owns[kFew], shares[kFew];
+} tiles;
+
+static ahd_array places(const double* xy, int64_t count)
+{
+  const ahd_array points = { xy, AHD_FLOAT64, 2, count, 2 * sizeof(double), sizeof(double) };
+  return points;
+}
+
+static ahd_bytes kept(ahd_job* job, const char* name)
+{
+  ahd_bytes bytes = { NULL, 0 };
+  uint64_t rows = 0, columns = 0;
+  void* data;
+  CHECK_OK(job, ahd_array_size(job, name, &rows, &columns));
+  CHECK(columns == 1);
+  data = malloc(rows + 1);
+  CHECK_OK(job, ahd_get_array(job, name, AHD_UINT8, data, rows));
+  bytes.data = data;
+  bytes.size = rows;
+  return bytes;
+}
+
+static void make_plan(tiles* all)
+{
+  const double extent[] = { -0.25, 1.25, -0.25, 1.25 };
+  const ahd_array points = places(all->xy, kPoints);
+  int32_t again = 1, passes = 0;
+  uint64_t numbers;
+  all->job = ahd_job_new();
+  CHECK_OK(all->job, ahd_tiles_begin(all->job, NULL));
+  for (; again == 1; ++passes)
+  {
+    CHECK_OK(all->job, ahd_tiles_count(all->job, &points));
+    CHECK_OK(all->job, ahd_tiles_plan(all->job, kMost, extent, &again));
+  }
+  CHECK(again == 0 && passes == 2);
+  CHECK_OK(all->job, ahd_tiles_get_facts(all->job, &all->facts));
+  CHECK(all->facts.points == kPoints && all->facts.not_finite == 0);
+  CHECK(all->facts.most_points <= kMost && all->facts.leaves > 15);
+  CHECK(all->facts.leaves + all->facts.nodes < kFew);
+  CHECK_OK(all->job, ahd_tiles_leaf_of(all->job, &points, all->leaf_of));
+  all->parents = ahd_read_ids(all->job, "tiles_parents", &numbers);
+  CHECK(numbers == all->facts.leaves + all->facts.nodes && all->parents[numbers - 1] == -1);
+}
+
+/* The points of a leaf, to be freed, and their ids. */
+static double* points_of(const tiles* all, uint64_t leaf, int64_t* ids, int64_t* count)
+{
+  double* xy = malloc(2 * kPoints * sizeof(double));
+  int64_t i;
+  *count = 0;
+  for (i = 0; i < kPoints; ++i)
+  {
+    if ((uint64_t)all->leaf_of[i] == leaf)
+    {
+      xy[2 * *count] = all->xy[2 * i];
+      xy[2 * *count + 1] = all->xy[2 * i + 1];
+      ids[(*count)++] = i;
+    }
+  }
+  return xy;
+}
+
+static void visit_all(tiles* all)
+{
+  int64_t ids[kPoints], count;
+  uint64_t part, child, numbers;
+  int64_t* counts = ahd_read_ids(all->job, "tiles_counts", &numbers);
+  for (part = 0; part < all->facts.leaves; ++part)
+  {
+    double* xy = points_of(all, part, ids, &count);
+    const ahd_array points = places(xy, count);
+    CHECK(counts[part] == count);
+    CHECK_OK(all->job, ahd_tiles_visit(all->job, part, &points, ids));
+    all->borders[part] = kept(all->job, "tiles_border");
+    all->owns[part] = kept(all->job, "tiles_own");
+    free(xy);
+  }
+  for (; part < all->facts.leaves + all->facts.nodes; ++part)
+  {
+    ahd_bytes below[4];
+    uint64_t number = 0;
+    for (child = 0; child < part; ++child)
+    {
+      if (all->parents[child] == (int64_t)part)
+      {
+        below[number++] = all->borders[child];
+      }
+    }
+    CHECK_OK(all->job, ahd_tiles_merge(all->job, part, below, number));
+    all->borders[part] = kept(all->job, "tiles_border");
+    all->shares[part] = kept(all->job, "tiles_share");
+    CHECK((all->parents[part] == -1) == (all->borders[part].size == 0));
+  }
+  free(counts);
+}
+
+static uint64_t shares_for(const tiles* all, uint64_t leaf, ahd_bytes* shares)
+{
+  uint64_t count = 0;
+  int64_t part = all->parents[leaf];
+  for (; part != -1; part = all->parents[part])
+  {
+    shares[count++] = all->shares[part];
+  }
+  return count;
+}
+
+static ahd_job* run_of(const double* xy, int64_t count)
+{
+  ahd_job* job = ahd_job_of(xy, count, 2);
+  CHECK_OK(job, ahd_set_int(job, "sample_method", AHD_SAMPLE_NATURAL_NEIGHBOR));
+  return job;
+}
+
+static void expect_triangles(const tiles* all, const int64_t* whole, uint64_t numbers)
+{
+  int64_t ids[kPoints], count;
+  uint64_t leaf, at = 0, some, edges, columns;
+  for (leaf = 0; leaf < all->facts.leaves; ++leaf)
+  {
+    ahd_bytes shares[kFew];
+    const uint64_t above = shares_for(all, leaf, shares);
+    double* xy = points_of(all, leaf, ids, &count);
+    const ahd_array points = places(xy, count);
+    int64_t* triangles;
+    CHECK_OK(
+      all->job, ahd_tiles_triangles(all->job, leaf, &points, ids, &all->owns[leaf], shares, above));
+    triangles = ahd_read_ids(all->job, "tiles_triangles", &some);
+    CHECK_OK(all->job, ahd_array_size(all->job, "tiles_edges", &edges, &columns));
+    CHECK(3 * edges == some && at + some <= numbers);
+    CHECK(at + some <= numbers && memcmp(triangles, whole + at, some * sizeof(int64_t)) == 0);
+    at += some;
+    free(triangles);
+    free(xy);
+  }
+  CHECK(at == numbers);
+}
+
+/* The cells of one leaf in the raster of all. */
+static void sample_leaf(const tiles* all, uint64_t leaf, const ahd_places* raster, double* values)
+{
+  ahd_bytes shares[kFew];
+  int64_t ids[kPoints], count, i;
+  uint64_t piece[4], listed, some, k;
+  double *xy = points_of(all, leaf, ids, &count), *bounds, *more, *z, *out;
+  int64_t* list;
+  ahd_places cells = *raster;
+  ahd_array whole;
+  ahd_job* job;
+  CHECK_OK(all->job, ahd_tiles_list(all->job, leaf, shares, shares_for(all, leaf, shares)));
+  more = ahd_read_doubles(all->job, "tiles_list_points", &some);
+  list = ahd_read_ids(all->job, "tiles_list_ids", &listed);
+  CHECK(some == 2 * listed && count + (int64_t)listed <= kPoints);
+  memcpy(xy + 2 * count, more, some * sizeof(double));
+  memcpy(ids + count, list, listed * sizeof(int64_t));
+  CHECK_OK(all->job, ahd_tiles_cells(all->job, leaf, raster, piece));
+  cells.columns = piece[2];
+  cells.rows = piece[3];
+  job = run_of(xy, count + (int64_t)listed);
+  bounds = ahd_read_doubles(all->job, "tiles_bounds", &some);
+  whole = places(bounds, 2);
+  CHECK_OK(job, ahd_set_array(job, "rank_bounds", &whole));
+  CHECK_OK(job, ahd_set_int(job, "sample_first_column", (int64_t)piece[0]));
+  CHECK_OK(job, ahd_set_int(job, "sample_first_row", (int64_t)piece[1]));
+  CHECK_OK(job, ahd_run(job));
+  z = malloc((size_t)(count + (int64_t)listed + 1) * sizeof(double));
+  out = malloc((kSide * kSide + 1) * sizeof(double));
+  for (i = 0; i < count + (int64_t)listed; ++i)
+  {
+    z[i] = sin((double)ids[i]);
+  }
+  {
+    const ahd_sampled array = { z, 1, out, NULL };
+    CHECK_OK(job, ahd_sample(job, &cells, &array, 1, NULL));
+  }
+  for (k = 0; k < piece[2] * piece[3]; ++k)
+  {
+    values[(piece[1] + k / piece[2]) * raster->columns + piece[0] + k % piece[2]] = out[k];
+  }
+  ahd_job_free(job);
+  free(out);
+  free(z);
+  free(bounds);
+  free(list);
+  free(more);
+  free(xy);
+}
+
+static void expect_raster(const tiles* all, ahd_job* whole)
+{
+  const ahd_places raster = { NULL, 0, { -0.1, 1.1 }, { 0.03, -0.03 }, kSide, kSide };
+  double z[kPoints], values[kSide * kSide], expected[kSide * kSide];
+  const ahd_sampled array = { z, 1, expected, NULL };
+  uint64_t leaf;
+  int64_t i;
+  for (i = 0; i < kPoints; ++i)
+  {
+    z[i] = sin((double)i);
+  }
+  CHECK_OK(whole, ahd_sample(whole, &raster, &array, 1, NULL));
+  memset(values, 0, sizeof values);
+  for (leaf = 0; leaf < all->facts.leaves; ++leaf)
+  {
+    sample_leaf(all, leaf, &raster, values);
+  }
+  CHECK(memcmp(values, expected, sizeof values) == 0);
+}
+
+static void expect_refusals(tiles* all)
+{
+  int64_t ids[kPoints], count;
+  double* xy = points_of(all, 3, ids, &count);
+  const ahd_array points = places(xy, count), fewer = places(xy, count - 1);
+  const ahd_places raster = { NULL, 0, { -1, 1.1 }, { 0.03, -0.03 }, kSide, kSide };
+  ahd_bytes shares[kFew], none = { NULL, 0 };
+  const uint64_t above = shares_for(all, 3, shares);
+  uint64_t piece[4];
+  ahd_job* job = all->job;
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_visit(job, 3, &fewer, ids));
+  CHECK_SAYS(job, "than were counted");
+  CHECK_STATUS(job, AHD_BAD_VALUE, ahd_tiles_visit(job, all->facts.leaves, &points, ids));
+  CHECK_STATUS(job, AHD_BAD_VALUE, ahd_tiles_merge(job, 3, &all->borders[0], 1));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_merge(job, all->facts.leaves, &all->borders[0], 1));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_list(job, 3, shares, above - 1));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_list(job, 3, NULL, 1));
+  CHECK_STATUS(
+    job, AHD_BAD_ARRAY, ahd_tiles_triangles(job, 3, &points, ids, &all->owns[2], shares, above));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_triangles(job, 3, &points, ids, &none, shares, above));
+  CHECK_STATUS(job, AHD_BAD_VALUE, ahd_tiles_cells(job, 3, &raster, piece));
+  CHECK_SAYS(job, "extent");
+  ids[1] = ids[0];
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_visit(job, 3, &points, ids));
+  CHECK_SAYS(job, "ascend");
+  xy[0] = 2.0;
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_visit(job, 3, &points, NULL));
+  CHECK_SAYS(job, "not in the leaf");
+  CHECK_OK(job, ahd_set_int(job, "duplicates", AHD_DUPLICATES_MEAN_Z));
+  CHECK_STATUS(job, AHD_BAD_VALUE, ahd_tiles_visit(job, 3, &points, NULL));
+  CHECK_OK(job, ahd_set_int(job, "duplicates", AHD_DUPLICATES_FIRST));
+  free(xy);
+}
+
+static void expect_plans(tiles* all)
+{
+  ahd_bytes plan = kept(all->job, "tiles_plan");
+  const double turned[] = { 1, 0, 0, 1 };
+  const ahd_array points = places(all->xy, kPoints), fewer = places(all->xy, kPoints - 1);
+  int32_t again = 1;
+  uint8_t byte = 0;
+  ahd_tiles_facts facts;
+  ahd_job* job = ahd_job_new();
+  CHECK_STATUS(job, AHD_NOT_AVAILABLE, ahd_tiles_get_facts(job, &facts));
+  CHECK_STATUS(job, AHD_NOT_AVAILABLE, ahd_get_array(job, "tiles_own", AHD_UINT8, &byte, 1));
+  CHECK_STATUS(job, AHD_NOT_AVAILABLE, ahd_tiles_count(job, &points));
+  CHECK_STATUS(job, AHD_NOT_AVAILABLE, ahd_tiles_plan(job, 0, NULL, &again));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_load(job, plan.data, plan.size - 1));
+  CHECK_OK(job, ahd_tiles_load(job, plan.data, plan.size));
+  CHECK_OK(job, ahd_tiles_get_facts(job, &facts));
+  CHECK(memcmp(&facts, &all->facts, sizeof facts) == 0);
+  CHECK_OK(job, ahd_release(job, 0));
+  CHECK_OK(job, ahd_tiles_get_facts(job, &facts));
+  CHECK_STATUS(job, AHD_BAD_VALUE, ahd_tiles_begin(job, turned));
+  CHECK_OK(job, ahd_tiles_begin(job, NULL));
+  CHECK_OK(job, ahd_tiles_count(job, &points));
+  CHECK_OK(job, ahd_tiles_plan(job, 0, NULL, &again));
+  CHECK_OK(job, ahd_tiles_count(job, &fewer));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_plan(job, 0, NULL, &again));
+  CHECK_SAYS(job, "other points");
+  CHECK_OK(job, ahd_reset(job, 0));
+  CHECK_STATUS(job, AHD_NOT_AVAILABLE, ahd_tiles_get_facts(job, &facts));
+  free((void*)plan.data);
+  ahd_job_free(job);
+}
+
+static int32_t cancel(void* user, int32_t phase, double fraction)
+{
+  (void)user;
+  (void)phase;
+  (void)fraction;
+  return 1;
+}
+
+static void expect_cancelling(tiles* all)
+{
+  int64_t ids[kPoints], count;
+  double* xy = points_of(all, 0, ids, &count);
+  const ahd_array points = places(xy, count);
+  ahd_bytes again;
+  CHECK_OK(all->job, ahd_set_progress(all->job, cancel, NULL));
+  CHECK_STATUS(all->job, AHD_CANCELLED, ahd_tiles_visit(all->job, 0, &points, ids));
+  CHECK_OK(all->job, ahd_set_progress(all->job, NULL, NULL));
+  CHECK_OK(all->job, ahd_tiles_visit(all->job, 0, &points, ids));
+  again = kept(all->job, "tiles_border");
+  CHECK(again.size == all->borders[0].size &&
+    memcmp(again.data, all->borders[0].data, again.size) == 0);
+  free((void*)again.data);
+  free(xy);
+}
+
+void test_tiles(void)
+{
+  tiles all;
+  uint64_t numbers, part;
+  int64_t* whole;
+  ahd_job* job;
+  memset(&all, 0, sizeof all);
+  all.xy = ahd_scattered(kPoints);
+  job = run_of(all.xy, kPoints);
+  make_plan(&all);
+  visit_all(&all);
+  CHECK_OK(job, ahd_run(job));
+  whole = ahd_read_ids(job, "triangles", &numbers);
+  expect_triangles(&all, whole, numbers);
+  expect_raster(&all, job);
+  expect_plans(&all);
+  expect_cancelling(&all);
+  expect_refusals(&all);
+  for (part = 0; part < kFew; ++part)
+  {
+    free((void*)all.borders[part].data);
+    free((void*)all.owns[part].data);
+    free((void*)all.shares[part].data);
+  }
+  free(whole);
+  free(all.parents);
+  free(all.xy);
+  ahd_job_free(job);
+  ahd_job_free(all.job);
+}

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Rasters leaf by leaf: no byte differs from those of one run with all points.
+#include "HashedResults.h"
+#include "Sample/Outside.h"
+#include "Sample/Sample.h"
+#include "Surface/Selection.h"
+#include "TilesRun.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace ahd
+{
+namespace test
+{
+namespace
+{
+
+const SampleMethod kMethods[] = { SampleMethod::Linear, SampleMethod::NaturalNeighbor,
+  SampleMethod::Laplace, SampleMethod::Nearest };
+
+double heightOf(std::int64_t id)
+{
+  return std::sin(double(id * 7919 % 1000));
+}
+
+/// Values, slopes and mask of a raster.
+struct Cells
+{
+  explicit Cells(std::size_t count)
+    : values(count, -7.0)
+    , slopes(2 * count, -7.0)
+    , mask(count, 77)
+  {
+  }
+
+  std::vector<double> values, slopes;
+  std::vector<unsigned char> mask;
+};
+
+/// How values are made.
+struct Sampling
+{
+  SampleMethod method;
+  double longest = 0.0; ///< edge; 0: no limit
+  bool fills = false;   ///< places outside get the nearest vertex's value
+};
+
+/// Samples points that are numbered by ids.
+Cells sample(const PointView& points, const std::vector<std::int64_t>& ids, const Options& options,
+  const SampleRaster& raster, const Sampling& how)
+{
+  Engine engine;
+  EXPECT_EQ(engine.run(points, options), Status::Ok);
+  std::vector<double> heights;
+  for (const std::int64_t id : ids)
+  {
+    heights.push_back(heightOf(id));
+  }
+  Selection selection;
+  SizeLimits limits;
+  limits.maximumEdgeLength = how.longest;
+  if (how.longest > 0.0)
+  {
+    EXPECT_EQ(selectBySize(engine.made, limits, { points, nullptr }, {}, selection), Status::Ok);
+  }
+  const unsigned char* const kept = selection.kept.empty() ? nullptr : selection.kept.data();
+  Cells cells(raster.columns * raster.rows);
+  Sampler sampler;
+  EXPECT_EQ(sampler.prepare(engine.made, kept, how.method, {}), Status::Ok);
+  const SampleArray array{ heights.data(), 1, cells.values.data(),
+    how.method == SampleMethod::Linear ? cells.slopes.data() : nullptr };
+  SampleReport report;
+  const SamplePlaces places(raster);
+  EXPECT_EQ(sampler.values(places, &array, 1, cells.mask.data(), report, {}), Status::Ok);
+  return cells;
+}
+
+bool areSame(const std::vector<double>& a, const std::vector<double>& b)
+{
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+/// A raster around the points, with some cells beyond.
+SampleRaster rasterAround(const Bounds& b, std::size_t side)
+{
+  SampleRaster raster;
+  const double width = std::max(b.xmax / 2 - b.xmin / 2, b.ymax / 2 - b.ymin / 2) * 2;
+  const double pitch = std::isfinite(width) && width > 0.0 ? width / double(side) * 1.13 : 1.0;
+  raster.spacing = { pitch, -pitch };
+  raster.origin = { b.xmin - 2.1 * pitch, b.ymax + 1.7 * pitch };
+  raster.columns = raster.rows = side + 4;
+  return raster;
+}
+
+Bounds boundsOf(const SampleRaster& raster)
+{
+  const Point a = raster.at(0, 0), b = raster.at(raster.columns - 1, raster.rows - 1);
+  return { std::min(a.x, b.x), std::max(a.x, b.x), std::min(a.y, b.y), std::max(a.y, b.y) };
+}
+
+void expectTheRaster(const std::vector<Point>& points, std::uint64_t most, const std::string& name)
+{
+  const PointView view = viewOf(points);
+  std::vector<std::int64_t> ids(points.size());
+  Bounds bounds;
+  for (std::size_t i = 0; i != points.size(); ++i)
+  {
+    ids[i] = std::int64_t(i);
+    bounds = joined(bounds, points[i]);
+  }
+  const SampleRaster raster = rasterAround(bounds, 60);
+  TilesWay way;
+  way.most = most;
+  way.extent = boundsOf(raster);
+  if (!std::isfinite(way.extent.xmax - way.extent.xmin))
+  {
+    return; // no raster
+  }
+  TilesRun run(view, way);
+  ASSERT_EQ(run.fault, "") << name;
+  for (const SampleMethod method : kMethods)
+  {
+    for (const double longest : { 0.0, 2.0 * raster.spacing.x })
+    {
+      const Sampling how{ method, longest };
+      const Cells whole = sample(view, ids, {}, raster, how);
+      Cells tiled(whole.values.size());
+      std::size_t cells = 0;
+      for (std::size_t leaf = 0; leaf != run.plan().leaves(); ++leaf)
+      {
+        const SampleRaster piece = run.plan().pieceOf(raster, leaf);
+        const SecondVisit visit = run.second(leaf);
+        const Cells part = sample(visit.view(), visit.ids, visit.options, piece, how);
+        cells += part.mask.size();
+        for (std::size_t k = 0; k != part.mask.size(); ++k)
+        {
+          const std::size_t at = (piece.firstRow + k / piece.columns) * raster.columns +
+            piece.firstColumn + k % piece.columns;
+          tiled.values[at] = part.values[k];
+          tiled.mask[at] = part.mask[k];
+          tiled.slopes[2 * at] = part.slopes[2 * k];
+          tiled.slopes[2 * at + 1] = part.slopes[2 * k + 1];
+        }
+      }
+      EXPECT_EQ(cells, whole.mask.size()) << "each cell once";
+      EXPECT_TRUE(areSame(tiled.values, whole.values) && areSame(tiled.slopes, whole.slopes) &&
+        tiled.mask == whole.mask)
+        << name << ", method " << int(method) << ", longest " << longest << ", "
+        << run.plan().leaves() << " leaves";
+    }
+  }
+}
+
+TEST(TilesSample, RastersOfEveryDistributionAreThoseOfOneRun)
+{
+  for (const Distribution d : allDistributions())
+  {
+    const std::vector<Point> points = makePoints(d, affordable(d, 1500), 3);
+    expectTheRaster(points, 2 * points.size() / 40 + 1, nameOf(d));
+  }
+}
+
+} // namespace
+} // namespace test
+} // namespace ahd

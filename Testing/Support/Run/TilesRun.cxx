@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TilesRun.h"
+
+#include <algorithm>
+#include <thread>
+
+namespace ahd
+{
+namespace test
+{
+
+TilesRun::TilesRun(const PointView& points, const TilesWay& way)
+  : way_(way)
+{
+  TileFacts facts;
+  if (!count(points, facts))
+  {
+    return;
+  }
+  facts.extent = joined(facts.bounds, way.extent);
+  facts.hasPlaces = isEmpty(way.extent) ? 0 : 1;
+  visits_ = std::make_unique<TileVisits>(std::move(facts));
+  deal(points);
+  visitAll();
+  for (std::size_t node = plan().leaves(); node != plan().parts() && fault.empty(); ++node)
+  {
+    merge(node);
+  }
+}
+
+bool TilesRun::count(const PointView& points, TileFacts& facts)
+{
+  constexpr std::size_t kChunk = 777;
+  TileCounter counter(way_.guess);
+  TileCounter::Next next = TileCounter::Next::Again;
+  while (next == TileCounter::Next::Again)
+  {
+    for (std::size_t begin = 0; begin < points.count; begin += kChunk)
+    {
+      PointView chunk = points;
+      chunk.doubles += begin * chunk.stride;
+      chunk.count = std::min(kChunk, points.count - begin);
+      status = counter.count(chunk, way_.context);
+      if (status != Status::Ok)
+      {
+        return false;
+      }
+    }
+    next = counter.endPass(way_.most, facts);
+  }
+  fault = next == TileCounter::Next::Different ? "other points" : "";
+  return fault.empty();
+}
+
+void TilesRun::deal(const PointView& points)
+{
+  xyz_.resize(plan().leaves());
+  ids_.resize(plan().leaves());
+  for (std::size_t i = 0; i != points.count; ++i)
+  {
+    const std::int64_t leaf = plan().leafOf(points[i]);
+    if (leaf >= 0)
+    {
+      const std::array<double, 3> p = points.place(i);
+      xyz_[std::size_t(leaf)].insert(xyz_[std::size_t(leaf)].end(), p.begin(), p.end());
+      ids_[std::size_t(leaf)].push_back(std::int64_t(i));
+    }
+  }
+  borders_.resize(plan().parts());
+  owns_.resize(plan().parts());
+  shares_.resize(plan().parts());
+}
+
+TilePoints TilesRun::pointsOf(std::size_t leaf) const
+{
+  return { leaf, PointView(xyz_[leaf].data(), ids_[leaf].size(), 3), ids_[leaf].data() };
+}
+
+void TilesRun::visitAll()
+{
+  std::vector<std::thread> threads;
+  for (std::size_t t = 0; t != way_.threads; ++t)
+  {
+    const auto work = [this, t]
+    {
+      for (std::size_t leaf = t; leaf < plan().leaves(); leaf += way_.threads)
+      {
+        visit(leaf);
+      }
+    };
+    if (way_.threads == 1)
+    {
+      work();
+    }
+    else
+    {
+      threads.emplace_back(work);
+    }
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+}
+
+bool TilesRun::fits(const TilePoints& given, const TileKept& kept)
+{
+  const char* wrong = nullptr;
+  status = visits_->findFault(given, kept, way_.context, wrong);
+  fault = wrong ? wrong : fault;
+  return !wrong && status == Status::Ok;
+}
+
+void TilesRun::visit(std::size_t leaf)
+{
+  const TilePoints given = pointsOf(leaf);
+  if (!fits(given, {}))
+  {
+    return;
+  }
+  TileOutput out;
+  const Status done = visits_->visit(given, way_.representative, way_.context, out);
+  status = done == Status::Ok ? status : done;
+  borders_[leaf] = std::move(out.border);
+  owns_[leaf] = std::move(out.own);
+}
+
+void TilesRun::merge(std::size_t node)
+{
+  std::vector<TileView> given;
+  for (const std::size_t part : plan().joinedBy(node))
+  {
+    given.push_back(viewOf(borders_[part]));
+  }
+  std::vector<TileBorder> borders;
+  if (!visits_->readBorders(node, given, borders))
+  {
+    fault = "no borders";
+    return;
+  }
+  for (std::size_t k = 0; k != borders.size(); ++k)
+  {
+    const bool isLeaf = plan().joinedBy(node)[k] < plan().leaves();
+    borderPoints += isLeaf ? borders[k].border.points.size() : 0;
+  }
+  TileOutput out;
+  const Status done = visits_->merge(node, borders, way_.context, out);
+  status = done == Status::Ok ? status : done;
+  borders_[node] = std::move(out.border);
+  shares_[node] = std::move(out.share);
+}
+
+std::vector<TileView> TilesRun::sharesFor(std::size_t leaf) const
+{
+  std::vector<TileView> views;
+  for (std::size_t node = plan().parents()[leaf]; node != plan().parts();
+       node = plan().parents()[node])
+  {
+    views.push_back(viewOf(shares_[node]));
+  }
+  return views;
+}
+
+std::vector<std::int64_t> TilesRun::triangles(std::vector<std::uint8_t>* edges)
+{
+  std::vector<std::int64_t> all;
+  for (std::size_t leaf = 0; leaf != plan().leaves() && fault.empty(); ++leaf)
+  {
+    std::vector<TileSection> sections;
+    const TileView own = viewOf(owns_[leaf]);
+    const TileKept kept{ &own, &sections };
+    if (!visits_->readSections(leaf, sharesFor(leaf), sections) || !fits(pointsOf(leaf), kept))
+    {
+      fault = "no shares, or not its own";
+      break;
+    }
+    TileOutput out;
+    const Status done = visits_->makeTriangles(pointsOf(leaf), kept, way_.context, out);
+    status = done == Status::Ok ? status : done;
+    all.insert(all.end(), out.triangles.begin(), out.triangles.end());
+    if (edges)
+    {
+      edges->insert(edges->end(), out.edges.begin(), out.edges.end());
+    }
+  }
+  return all;
+}
+
+SecondVisit TilesRun::second(std::size_t leaf)
+{
+  SecondVisit visit;
+  std::vector<TileSection> sections;
+  TileOutput out;
+  if (!visits_->readSections(leaf, sharesFor(leaf), sections))
+  {
+    fault = "no shares";
+    return visit;
+  }
+  const Status done = visits_->makeList(leaf, sections, way_.context, out);
+  status = done == Status::Ok ? status : done;
+  visit.ids = ids_[leaf];
+  visit.xyz = xyz_[leaf];
+  visit.own = visit.ids.size();
+  visit.listed = out.listIds.size();
+  visit.ids.insert(visit.ids.end(), out.listIds.begin(), out.listIds.end());
+  for (std::size_t k = 0; k != out.listIds.size(); ++k)
+  {
+    visit.xyz.insert(visit.xyz.end(), { out.listPoints[2 * k], out.listPoints[2 * k + 1], 0.0 });
+  }
+  const Bounds& b = plan().facts().bounds;
+  visit.options.rankBounds = { b.xmin, b.xmax, b.ymin, b.ymax };
+  visit.options.representative = way_.representative;
+  return visit;
+}
+
+std::vector<std::int64_t> TilesRun::trianglesOfSecondVisits()
+{
+  std::vector<std::int64_t> all;
+  for (std::size_t leaf = 0; leaf != plan().leaves() && fault.empty(); ++leaf)
+  {
+    const SecondVisit visit = second(leaf);
+    const Outcome made = triangulate(visit.view(), visit.options);
+    status = made.status == Status::Ok ? status : made.status;
+    for (std::size_t t = 0; t != made.triples.size(); ++t)
+    {
+      const std::size_t first = std::size_t(made.triples[t - t % 3]);
+      if (first < visit.own)
+      {
+        all.push_back(visit.ids[std::size_t(made.triples[t])]);
+      }
+    }
+  }
+  return all;
+}
+
+std::vector<std::int64_t> trianglesOfOneRun(const PointView& points, Representative representative)
+{
+  Options options;
+  options.representative = representative;
+  Engine engine;
+  const Outcome made = triangulate(engine, points, options);
+  return { made.triples.begin(), made.triples.end() };
+}
+
+} // namespace test
+} // namespace ahd

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_TilesRun_h
+#define ahd_TilesRun_h
+
+#include "EngineRun.h"
+#include "Tiles/TileCounter.h"
+#include "Tiles/TileVisits.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ahd
+{
+namespace test
+{
+
+/// How points are divided into leaves and visited.
+struct TilesWay
+{
+  std::uint64_t most = 100; ///< points of a leaf
+  Bounds extent;            ///< of places; empty: none
+  Bounds guess;             ///< of the points' bounds
+  Representative representative = Representative::FirstId;
+  std::size_t threads = 1; ///< that visit leaves at once
+  Context context;
+};
+
+/// The points of a leaf with those of its list, as one run sees them.
+struct SecondVisit
+{
+  std::vector<std::int64_t> ids; ///< first the leaf's
+  std::vector<double> xyz;
+  std::size_t own = 0;
+  std::size_t listed = 0;
+  Options options;
+
+  PointView view() const { return { xyz.data(), ids.size(), 3 }; }
+};
+
+/// Many points leaf by leaf: all steps that a caller takes, with the bytes in memory.
+class TilesRun
+{
+public:
+  /// Counts, divides, visits all leaves and merges.
+  TilesRun(const PointView& points, const TilesWay& way);
+
+  Status status = Status::Ok;
+  std::string fault;        ///< refused by a check
+  std::size_t mostOpen = 0; ///< bytes of borders at a time
+  std::size_t borderPoints = 0;
+
+  const TileVisits& visits() const { return *visits_; }
+  const TilePlan& plan() const { return visits_->plan(); }
+
+  /// The stream of all leaves: ids, and edges.
+  std::vector<std::int64_t> triangles(std::vector<std::uint8_t>* edges = nullptr);
+  SecondVisit second(std::size_t leaf);
+  /// The same stream by second visits alone.
+  std::vector<std::int64_t> trianglesOfSecondVisits();
+
+  TilePoints pointsOf(std::size_t leaf) const;
+  const std::vector<BlockBytes>& borders() const { return borders_; }
+  const std::vector<BlockBytes>& owns() const { return owns_; }
+  const std::vector<BlockBytes>& shares() const { return shares_; }
+  /// Of the nodes above a leaf.
+  std::vector<TileView> sharesFor(std::size_t leaf) const;
+
+private:
+  bool count(const PointView& points, TileFacts& facts);
+  void deal(const PointView& points);
+  void visitAll();
+  bool fits(const TilePoints& given, const TileKept& kept);
+  void visit(std::size_t leaf);
+  void merge(std::size_t node);
+
+  TilesWay way_;
+  std::unique_ptr<TileVisits> visits_;
+  std::vector<std::vector<double>> xyz_;            ///< of each leaf
+  std::vector<std::vector<std::int64_t>> ids_;      ///< the same
+  std::vector<BlockBytes> borders_, owns_, shares_; ///< of parts
+};
+
+inline TileView viewOf(const BlockBytes& bytes)
+{
+  return { bytes.data(), bytes.size() };
+}
+
+/// The triangles of one run.
+std::vector<std::int64_t> trianglesOfOneRun(
+  const PointView& points, Representative representative = Representative::FirstId);
+
+} // namespace test
+} // namespace ahd
+
+#endif
