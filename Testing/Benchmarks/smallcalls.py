@@ -3,8 +3,9 @@
 """Small calls from Python: a few points, one place, a thousand places; beside scipy, the C interface and vtkDelaunay2D.
 
 Both sides of a row are measured in turns of about 5 milliseconds, with one thread: the least time of a call in a turn
-counts, as others on the machine only add to it. The first call after other code finds cold caches and takes longer. Who is not there is left out. vtkDelaunay2D is beside the class
-that is compiled with the same VTK; to call either by Python is 0.3 microseconds of the time.
+counts, as others on the machine only add to it. The first call after other code finds cold caches and takes longer. Who
+is not there is left out. vtkDelaunay2D is beside the class that is compiled with the same VTK; to call either by Python
+is 0.3 microseconds of the time.
 
   PYTHONPATH=<folder of adaptivehilbertdelaunay> smallcalls.py [--rounds N] [--only WORD] [--out SmallCalls.md]
 """

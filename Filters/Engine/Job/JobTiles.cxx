@@ -173,8 +173,9 @@ void JobTiles::findLeaves(
     [&]
     {
       Ticker ticker(context.progress, Phase::Outputs, opened.view.count);
-      return inSteps(0, opened.view.count, ticker,
-        [&](std::size_t i) { leaves[i] = static_cast<std::int32_t>(plan.leafOf(opened.view[i])); });
+      return inChunks(0, opened.view.count, ticker,
+        [&](std::size_t begin, std::size_t end)
+        { plan.findLeaves(opened.view, begin, end, leaves + begin); });
     }));
 }
 

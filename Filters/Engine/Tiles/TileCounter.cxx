@@ -68,27 +68,34 @@ Status TileCounter::count(const PointView& points, const Context& context)
 void TileCounter::countKeys(const PointView& points, std::size_t begin, std::size_t end)
 {
   const TileGrid grid(grid_);
-  const std::size_t parts = partsAfter(steps_);
-  for (std::size_t i = begin; i != end; ++i)
+  std::uint64_t keys[kKeyBlock];
+  for (std::size_t first = begin; first < end; first += kKeyBlock)
   {
-    const Point p = points[i];
-    if (!isFinite(p))
+    const std::size_t count = std::min(end - first, kKeyBlock);
+    grid.keysOf(points, first, count, keys);
+    for (std::size_t k = 0; k != count; ++k)
     {
-      continue;
+      if (isFinite(points[first + k]))
+      {
+        countKey(keys[k]);
+      }
     }
-    const std::uint64_t key = grid.keyOf(p);
-    const auto after = std::upper_bound(opened_.begin(), opened_.end(), key);
-    if (after == opened_.begin())
-    {
-      continue;
-    }
-    const std::size_t k = static_cast<std::size_t>(after - opened_.begin()) - 1;
-    const TileBox box = { opened_[k], levels_[k] };
-    if (box.has(key))
-    {
-      const unsigned shift = 64 - 2 * (box.level + steps_);
-      ++counts_[k * parts + static_cast<std::size_t>(((key - box.key) >> shift))];
-    }
+  }
+}
+
+void TileCounter::countKey(std::uint64_t key)
+{
+  const auto after = std::upper_bound(opened_.begin(), opened_.end(), key);
+  if (after == opened_.begin())
+  {
+    return;
+  }
+  const std::size_t k = static_cast<std::size_t>(after - opened_.begin()) - 1;
+  const TileBox box = { opened_[k], levels_[k] };
+  if (box.has(key))
+  {
+    const unsigned shift = 64 - 2 * (box.level + steps_);
+    ++counts_[k * partsAfter(steps_) + static_cast<std::size_t>((key - box.key) >> shift)];
   }
 }
 

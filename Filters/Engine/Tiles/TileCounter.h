@@ -53,6 +53,7 @@ private:
   };
 
   void countKeys(const PointView& points, std::size_t begin, std::size_t end);
+  void countKey(std::uint64_t key);
   static void divide(const Division& now, const std::uint64_t* counts, std::vector<Box>& out);
   void openBoxes();
   void divideOpen(std::uint64_t most);

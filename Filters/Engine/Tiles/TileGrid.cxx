@@ -48,6 +48,20 @@ std::int64_t firstFrom(const Quantiser& quantiser, double low, double high, std:
 
 } // namespace
 
+void TileGrid::keysOf(
+  const PointView& points, std::size_t first, std::size_t count, std::uint64_t* keys) const
+{
+  std::uint32_t columns[kKeyBlock], rows[kKeyBlock];
+  for (std::size_t k = 0; k != count; ++k)
+  {
+    const Point p = points[first + k];
+    const Point at = isFinite(p) ? p : Point{ bounds_.xmin, bounds_.ymin };
+    columns[k] = columnOf(at);
+    rows[k] = rowOf(at);
+  }
+  hilbertKeys(columns, rows, keys, count);
+}
+
 Bounds TileGrid::placesOf(const TileBox& box) const
 {
   const std::uint64_t side = std::uint64_t(1) << (TileBox::kLevels - box.level);

@@ -3,6 +3,7 @@
 #define ahd_TileGrid_h
 
 #include "../Order/HilbertCurve.h"
+#include "../Order/HilbertKeys.h"
 #include "../Order/Quantise.h"
 #include "../Points/JoinedBounds.h"
 
@@ -45,11 +46,12 @@ public:
   }
 
   /// The key of a finite place; beyond the bounds, that of the nearest place of them.
-  std::uint64_t keyOf(const Point& p) const
-  {
-    return hilbertKey(grid_.column(std::min(std::max(p.x, bounds_.xmin), bounds_.xmax)),
-      grid_.row(std::min(std::max(p.y, bounds_.ymin), bounds_.ymax)));
-  }
+  std::uint64_t keyOf(const Point& p) const { return hilbertKey(columnOf(p), rowOf(p)); }
+
+  /// The same of `count` <= kKeyBlock points from `first` on, many at a time; keys of points that
+  /// are not finite mean nothing.
+  void keysOf(
+    const PointView& points, std::size_t first, std::size_t count, std::uint64_t* keys) const;
 
   /// The places within the bounds whose keys are in the box: exactly those in the rectangle that is
   /// returned, whose sides are included; empty if there is none. Quantisers are monotone, so these
@@ -57,6 +59,15 @@ public:
   Bounds placesOf(const TileBox& box) const;
 
 private:
+  std::uint32_t columnOf(const Point& p) const
+  {
+    return grid_.column(std::min(std::max(p.x, bounds_.xmin), bounds_.xmax));
+  }
+  std::uint32_t rowOf(const Point& p) const
+  {
+    return grid_.row(std::min(std::max(p.y, bounds_.ymin), bounds_.ymax));
+  }
+
   Bounds bounds_;
   Grid grid_;
 };

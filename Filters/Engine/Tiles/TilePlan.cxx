@@ -24,6 +24,8 @@ Fingerprint fingerprintOf(const BlockBytes& bytes, std::size_t count)
   return sum.finish(bytes.data(), count, kKindOfPlan);
 }
 
+constexpr unsigned kIndexedBits = 16; // of keys: a table that fits the second-level cache
+
 /// The first number from 0 to `end` for which `is` holds, which then holds for all that follow.
 template <typename Is>
 std::size_t firstOf(std::size_t end, Is is)
@@ -65,7 +67,9 @@ Range rangeWithin(std::size_t count, double low, double high, At at)
 
 TilePlan::TilePlan(TileFacts facts)
   : facts_(std::move(facts))
+  , grid_(isEmpty(facts_.bounds) ? Bounds{ 0.0, 0.0, 0.0, 0.0 } : facts_.bounds)
 {
+  indexKeys();
   measure();
   arrange();
   BlockBytes bytes;
@@ -81,7 +85,7 @@ void TilePlan::measure()
   std::uint64_t points = 0;
   for (const TileLeaf& leaf : facts_.leaves)
   {
-    Bounds box = isEmpty(inner) ? outer : TileGrid(inner).placesOf(leaf.box());
+    Bounds box = isEmpty(inner) ? outer : grid_.placesOf(leaf.box());
     if (!isEmpty(box) && !isEmpty(inner))
     {
       box = { box.xmin == inner.xmin ? outer.xmin : box.xmin,
@@ -156,16 +160,45 @@ std::size_t TilePlan::joinParts(const TileBox& box, std::size_t& leaf)
   return node;
 }
 
-std::int64_t TilePlan::leafOf(const Point& p) const
+void TilePlan::indexKeys()
 {
-  if (!isFinite(p))
+  before_.reserve((std::size_t(1) << kIndexedBits) + 1);
+  std::uint32_t leaf = 0;
+  for (std::uint64_t k = 0; k != std::uint64_t(1) << kIndexedBits; ++k)
   {
-    return -1;
+    while (leaf != leaves() && facts_.leaves[leaf].key < k << (64 - kIndexedBits))
+    {
+      ++leaf;
+    }
+    before_.push_back(leaf);
   }
-  const std::uint64_t key = isEmpty(facts_.bounds) ? 0 : TileGrid(facts_.bounds).keyOf(p);
-  const auto after = std::upper_bound(facts_.leaves.begin(), facts_.leaves.end(), key,
+  before_.push_back(static_cast<std::uint32_t>(leaves()));
+}
+
+/// The last leaf whose key is not larger; the first one if there is none.
+std::int32_t TilePlan::leafOf(std::uint64_t key) const
+{
+  const std::uint32_t* const before =
+    &before_[static_cast<std::size_t>(key >> (64 - kIndexedBits))];
+  const auto after = std::upper_bound(facts_.leaves.begin() + before[0],
+    facts_.leaves.begin() + before[1], key,
     [](std::uint64_t k, const TileLeaf& leaf) { return k < leaf.key; });
-  return std::max<std::int64_t>(0, after - facts_.leaves.begin() - 1);
+  return std::max(0, static_cast<std::int32_t>(after - facts_.leaves.begin()) - 1);
+}
+
+void TilePlan::findLeaves(
+  const PointView& points, std::size_t begin, std::size_t end, std::int32_t* leaves) const
+{
+  std::uint64_t keys[kKeyBlock];
+  for (std::size_t first = begin; first < end; first += kKeyBlock)
+  {
+    const std::size_t count = std::min(end - first, kKeyBlock);
+    grid_.keysOf(points, first, count, keys);
+    for (std::size_t k = 0; k != count; ++k)
+    {
+      *leaves++ = isFinite(points[first + k]) ? leafOf(keys[k]) : -1;
+    }
+  }
 }
 
 SampleRaster TilePlan::pieceOf(const SampleRaster& whole, std::size_t k) const

@@ -88,8 +88,9 @@ public:
   /// By how much, at most, reaches of leaves overlap.
   double overlap() const { return overlap_; }
 
-  /// -1 for a place that is not finite.
-  std::int64_t leafOf(const Point& p) const;
+  /// The leaves of the points from `begin` to `end`; -1 for one that is not finite.
+  void findLeaves(
+    const PointView& points, std::size_t begin, std::size_t end, std::int32_t* leaves) const;
   /// The places of the raster that belong to the leaf.
   SampleRaster pieceOf(const SampleRaster& whole, std::size_t k) const;
   /// Do all places of the raster belong to leaves?
@@ -106,8 +107,12 @@ private:
   void arrange();
   std::size_t joinParts(const TileBox& box, std::size_t& leaf);
   void measure();
+  void indexKeys();
+  std::int32_t leafOf(std::uint64_t key) const;
 
   TileFacts facts_;
+  TileGrid grid_;
+  std::vector<std::uint32_t> before_; ///< k: the leaves whose keys are below k times 2^48
   std::vector<Bounds> boxes_, reaches_;
   std::vector<std::uint64_t> firstPoints_;
   std::vector<std::size_t> parents_;

@@ -56,9 +56,11 @@ void TilesRun::deal(const PointView& points)
 {
   xyz_.resize(plan().leaves());
   ids_.resize(plan().leaves());
+  std::vector<std::int32_t> leaves(points.count);
+  plan().findLeaves(points, 0, points.count, leaves.data());
   for (std::size_t i = 0; i != points.count; ++i)
   {
-    const std::int64_t leaf = plan().leafOf(points[i]);
+    const std::int32_t leaf = leaves[i];
     if (leaf >= 0)
     {
       const std::array<double, 3> p = points.place(i);
