@@ -4,12 +4,13 @@
 // and the chains split where they cross, both compared with their definitions; the engine
 // constrains, and the certifier of constraints decides; small sets go through the oracle too. Then
 // the same with other settings and threads, cancelled or without memory before, to the byte; the
-// Voronoi diagram of the points; and the same in several blocks.
+// Voronoi diagram of the points; the same in several blocks; the triangles refined, and edited.
 #include "BlocksRun.h"
 #include "ConstrainedRun.h"
 #include "ConstraintOracle.h"
 #include "JobJudge.h"
 #include "Judge.h"
+#include "LivingJudge.h"
 #include "OutlineJudge.h"
 #include "PartJudges.h"
 #include "SampleJudge.h"
@@ -259,6 +260,7 @@ void fuzzConstraints(const FuzzCase& given)
   const PointView view = prepared.view();
   expectSamples(given, { engine.made, view, filled.triples, run.executor });
   expectOutlines(given, view, filled.triples);
+  expectLiving(given, { prepared.points, prepared.skip, prepared.own }, prepared.rule);
   expectTheSame(prepared, filled);
   expectSameInBlocks(prepared);
   expectSameThroughC(given, { prepared.view(), prepared.chains, prepared.rule, filled.triples });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria.h"
 
+#include "../Arithmetic/PowerOfTwo.h"
 #include "../Predicates/Circles.h"
 #include "Functions.h"
 
@@ -15,7 +16,8 @@ namespace
 
 constexpr double kAny = std::numeric_limits<double>::infinity();
 constexpr double kResolution = 1024.0; ///< in units in the last place
-constexpr double kSmallest = 0x1p-500; ///< of a squared length: below it, products underflow
+/// Of a squared length, or the product of two of them: below it, products may underflow.
+constexpr double kSmallest = 0x1p-500;
 /// Without a wish for angles, vertices still stay out of lenses as flat as for this one.
 constexpr double kLeastLens = 10.0;
 /// Off-centres are a little nearer than would make the least angle, so that rounding leaves no bad
@@ -25,6 +27,36 @@ constexpr double kOffCentre = 0.475;
 double square(double a)
 {
   return a * a;
+}
+
+/// Two edges from a corner, for the angle between them.
+struct Edges
+{
+  ScaledVector a, b;
+  double lengths; ///< product of the squared ones
+
+  Edges(const ScaledVector& toA, const ScaledVector& toB)
+    : a(toA)
+    , b(toB)
+    , lengths(dot(toA, toA) * dot(toB, toB))
+  {
+  }
+};
+
+/// In a unit of its own.
+ScaledVector unitVector(const Point& from, const Point& to)
+{
+  const double x = to.x - from.x, y = to.y - from.y;
+  const double scale = powerOfTwoBelow(std::max(std::fabs(x), std::fabs(y)));
+  return { x * scale, y * scale };
+}
+
+/// Where products of four lengths underflow in units of the mesh, each edge in its own; which does
+/// not change the angle. Elsewhere powers of two change no bit.
+Edges edgesFrom(const Criteria& criteria, const Point& c, const Point& a, const Point& b)
+{
+  const Edges edges(criteria.vector(c, a), criteria.vector(c, b));
+  return edges.lengths < kSmallest ? Edges(unitVector(c, a), unitVector(c, b)) : edges;
 }
 
 } // namespace
@@ -60,8 +92,8 @@ bool Criteria::encroaches(const Point& a, const Point& b, const Point& p) const
   {
     return false;
   }
-  const ScaledVector toA = vector(p, a), toB = vector(p, b);
-  return square(dot(toA, toB)) >= lens_ * (dot(toA, toA) * dot(toB, toB));
+  const Edges edges = edgesFrom(*this, p, a, b);
+  return square(dot(edges.a, edges.b)) >= lens_ * edges.lengths;
 }
 
 Measured Criteria::measure(const Point corners[3], const double* sizes) const
@@ -74,14 +106,20 @@ Measured Criteria::measure(const Point corners[3], const double* sizes) const
   // The least angle is opposite to the shortest edge: its sine is twice the area over the product
   // of the two others.
   const double others = lengths[(apex + 1) % 3] * lengths[(apex + 2) % 3];
+  bool isThin = square(area) < sineSquared_ * others;
   bool isLarge = area > area_;
   for (int k = 0; k < 3; ++k)
   {
     const int p = (k + 1) % 3, q = (k + 2) % 3;
+    if (others < kSmallest) // which edge is the shortest may be lost, too
+    {
+      const Edges edges = edgesFrom(*this, corners[k], corners[p], corners[q]);
+      isThin = isThin || square(cross(edges.a, edges.b)) < sineSquared_ * edges.lengths;
+    }
     const double size = sizes ? (sizes[p] + sizes[q]) / 2.0 : 0.0;
     isLarge = isLarge || isTooLong(corners[p], corners[q], size);
   }
-  return { *least, apex, square(area) < sineSquared_ * others, isLarge };
+  return { *least, apex, isThin, isLarge };
 }
 
 Point Criteria::centre(const Point corners[3], int apex) const
@@ -104,9 +142,9 @@ Point Criteria::centre(const Point corners[3], int apex) const
 
 bool Criteria::isSharp(const Point& a, const Point& c, const Point& b) const
 {
-  const ScaledVector toA = vector(c, a), toB = vector(c, b);
-  const double along = dot(toA, toB);
-  return along > 0.0 && square(along) > 0.25 * (dot(toA, toA) * dot(toB, toB));
+  const Edges edges = edgesFrom(*this, c, a, b);
+  const double along = dot(edges.a, edges.b);
+  return along > 0.0 && square(along) > 0.25 * edges.lengths;
 }
 
 } // namespace ahd

@@ -238,9 +238,10 @@ inline void RefineCase::checkTriangles(std::ostream& says)
     }
   }
   const Wide moved = Wide(made.onSegments) * most * std::sqrt(longest) * 0x1p-53L;
-  if (std::fabs(area - before) > 1e-12L * before + moved)
+  const Wide rounding = Wide(kept_.size()) * longest * 0x1p-62L; // of areas
+  if (std::fabs(area - before) > 1e-12L * before + moved + rounding)
   {
-    says << "the area has changed; ";
+    says << "the area has changed from " << before << " to " << area << "; ";
   }
 }
 
@@ -303,13 +304,13 @@ inline void RefineCase::checkPoints(std::ostream& says) const
       most = std::max({ most, std::fabs(from.x), std::fabs(from.y) });
     }
     onSegments += p.isOnSegment() ? 1 : 0;
-    Wide rounding = Wide(most) * 0x1p-50L;
+    Wide rounding = std::max(Wide(most) * 0x1p-50L, 0x1p-1070L); // of subnormal numbers
     if (p.isOnSegment())
     {
       const Point a = points_[p.corners[0]], b = points_[p.corners[1]];
       x = a.x + Wide(p.weights[1]) * (Wide(b.x) - a.x);
       y = a.y + Wide(p.weights[1]) * (Wide(b.y) - a.y);
-      rounding = Wide(most) * 0x1.01p-53L;
+      rounding = std::max(Wide(most) * 0x1.01p-53L, 0x1.01p-1075L);
     }
     if (!isWithin || std::fabs(sum - 1) > 0x1p-51L || std::fabs(x - p.x) > rounding ||
       std::fabs(y - p.y) > rounding)

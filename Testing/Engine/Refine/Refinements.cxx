@@ -372,6 +372,21 @@ TEST(Refinements, EndFarFromTheOrigin)
   EXPECT_GT(beyond, 500u);
 }
 
+/// Where squares of areas, or of lengths, in units of the mesh are no numbers above 0.
+TEST(Refinements, NameBadTrianglesOfAnySize)
+{
+  for (const int power : { -150, -300, -500 })
+  {
+    Drawing drawing = fan().at(std::ldexp(1.0, power), 0.0, 0.0);
+    drawing.addSquare(-0x1p400, -0x1p400, 0x1p401);
+    drawing.addSquare(-0x1p399, -0x1p399, 0x1p400); // a hole, around the fan
+    RefineCase given(drawing.made());
+    given.request.mostSteinerPoints = 100;
+    EXPECT_EQ(given.faults(), "") << power;
+    EXPECT_GT(given.made.bad.size(), 30u) << power;
+  }
+}
+
 TEST(Refinements, OfFewPoints)
 {
   for (const std::vector<Point>& points :
