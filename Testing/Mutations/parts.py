@@ -90,8 +90,10 @@ class PythonPart(workshop.Workshop):
         import pairs
 
         self.environment = pairs.suite_environment([str(self.folder / "package")])
-        scripts = [f"Arrays/{path.name}" for path in sorted((self.tests_folder / "Arrays").glob("test_*.py"))]
-        self.names = [*scripts, *(script for script in pairs.FOR_ALL + pairs.FOR_VTK if self.can_run(script))]
+        own = [f"{folder}/{path.name}" for folder in ("Arrays", "Class")
+               for path in sorted((self.tests_folder / folder).glob("test_*.py"))]  # fmt: skip
+        others = [script for script in pairs.FOR_ALL + pairs.FOR_VTK if script not in own]
+        self.names = [script for script in own + others if script.startswith("Arrays/") or self.can_run(script)]
 
     def fill_package(self, package):
         shutil.rmtree(self.folder / "package", ignore_errors=True)

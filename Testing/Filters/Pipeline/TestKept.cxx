@@ -159,6 +159,43 @@ TEST(Kept, TheSourceCounts)
   EXPECT_FALSE(runs(withVertex));
 }
 
+/// The same ids are other cells where these begin elsewhere.
+TEST(Kept, WhereCellsOfTheSourceBeginCounts)
+{
+  const auto cells = [](const std::vector<std::vector<vtkIdType>>& all, bool areLoops)
+  {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkCellArray> made;
+    for (const std::vector<vtkIdType>& ids : all)
+    {
+      made->InsertNextCell(vtkIdType(ids.size()), ids.data());
+    }
+    areLoops ? data->SetPolys(made) : data->SetLines(made);
+    return data;
+  };
+  for (const bool areLoops : { false, true })
+  {
+    SCOPED_TRACE(areLoops);
+    Line line;
+    auto cloud = makeCloud({ { 0, 0, 0 }, { 9, 0, 0 }, { 9, 8, 0 }, { 0, 9, 0 }, { 4, 1, 0 },
+      { 5, 7, 0 }, { 2, 3, 0 } });
+    vtkNew<Relay> source;
+    line.Filter->SetSourceConnection(source->GetOutputPort());
+    const auto runs = [&](const std::vector<std::vector<vtkIdType>>& all)
+    {
+      source->Send(cells(all, areLoops));
+      return line.Runs();
+    };
+    source->Send(cells({ { 0, 1, 2, 3, 4, 5 } }, areLoops));
+    line.Runs(cloud);
+    EXPECT_TRUE(runs({ { 0, 1, 2, 3, 4, 5 } }));
+    EXPECT_FALSE(runs({ { 0, 1, 2, 3, 4, 5 } }));
+    EXPECT_TRUE(runs({ { 0, 1, 2 }, { 3, 4, 5 } }));
+    EXPECT_FALSE(runs({ { 0, 1, 2 }, { 3, 4, 5 } }));
+    EXPECT_TRUE(runs({ { 0, 1, 2, 3 }, { 4, 5 } }));
+  }
+}
+
 TEST(Kept, ArraysThatTheFilterMakesAreKeptWithTheTriangles)
 {
   const std::vector<Xyz> points = latticePoints(300, 15); // with duplicates

@@ -103,6 +103,10 @@ TEST(InterpolationInput, OnePointHasItsValueAtItsPlace)
   filter->Update();
   ASSERT_EQ(filter->GetNumberOfPlaces(), 1);
   EXPECT_EQ(numbersOf(filter->GetOutput(), "Elevation"), std::vector<double>{ 5.0 });
+  auto* const image = vtkImageData::SafeDownCast(filter->GetOutput());
+  ASSERT_EQ(image->GetNumberOfPoints(), 1);
+  EXPECT_EQ(image->GetOrigin()[0], 3.0);
+  EXPECT_EQ(image->GetOrigin()[1], 4.0);
   filter->SetPlacesData(makeCloud({ { 3, 4, 0 }, { 3, 4.1, 0 } }));
   filter->Update();
   const auto heights = numbersOf(filter->GetOutput(), "Elevation");

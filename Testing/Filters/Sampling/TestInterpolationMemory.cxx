@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The triangulation that the interpolation keeps, and memory.
+#include "ConstraintTestSupport.h"
 #include "SampleTestSupport.h"
 
+#include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkSphericalTransform.h"
 #include "vtkTransform.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkWeakPointer.h"
 
 #include <gtest/gtest.h>
@@ -69,6 +72,77 @@ TEST(InterpolationMemory, NothingIsTriangulatedTwice)
   filter->SetMethodToLinear();
   filter->Update();
   EXPECT_EQ(filter->GetNumberOfTriangulations(), 6);
+}
+
+/// Each array of the source counts, and the number of its vertices.
+TEST(InterpolationMemory, AnotherSourceIsTriangulatedAnew)
+{
+  const auto points = cloud(200);
+  WatchedInterpolation filter;
+  filter->SetInputData(points);
+  filter->GetTriangulation()->SetSourceModeToCoordinates();
+  const auto runsWith = [&](vtkPolyData* source, double x = 0.1)
+  {
+    vtkNew<vtkPolyData> copy; // of other objects
+    copy->DeepCopy(source);
+    copy->SetPoints(makeCloud(
+      { { x, 0.2, 0 }, { 0.9, 0.1, 0 }, { 0.8, 0.9, 0 }, { 0.2, 0.8, 0 }, { 0.4, 0.5, 0 },
+        { 0.6, 0.4,
+          0 } })->GetPoints());
+    const int before = filter->GetNumberOfTriangulations();
+    filter->SetSourceData(copy);
+    filter->Update();
+    return filter->GetNumberOfTriangulations() > before;
+  };
+  const auto line = makeSource({ { 0, 1, 2, 3, 4, 5 } }, {});
+  auto vertex = makeSource({ { 0, 1, 2, 3, 4, 5 } }, {});
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell({ vtkIdType(1) });
+  vertex->SetVerts(cells);
+  // each differs from the one before in one thing
+  const vtkSmartPointer<vtkPolyData> sources[] = { line, vertex, line,
+    makeSource({ { 0, 1, 2 }, { 3, 4, 5 } }, {}), makeSource({ { 0, 1, 2 }, { 3, 5, 4 } }, {}),
+    makeSource({}, { { 0, 1, 2, 3, 4, 5 } }), makeSource({}, { { 0, 1, 2 }, { 3, 4, 5 } }),
+    makeSource({}, { { 0, 1, 2 }, { 3, 5, 4 } }) };
+  for (const auto& source : sources)
+  {
+    EXPECT_TRUE(runsWith(source));
+    EXPECT_FALSE(runsWith(source));
+  }
+  EXPECT_TRUE(runsWith(sources[0], 0.15));
+  EXPECT_TRUE(runsWith(sources[0]));
+}
+
+/// Neither are points of which some are skipped, whatever other data they have, until others are.
+TEST(InterpolationMemory, MarkedPointsAreKeptWithTheirMarks)
+{
+  const auto marked = [](vtkIdType skipped, double value)
+  {
+    auto points = cloud(300);
+    addArray<vtkUnsignedCharArray>(points, vtkDataSetAttributes::GhostArrayName(),
+      [skipped](vtkIdType i)
+      { return i == skipped ? double(vtkDataSetAttributes::HIDDENPOINT) : 0; });
+    addArray<vtkDoubleArray>(points, "a", [value](vtkIdType) { return value; });
+    return points;
+  };
+  WatchedInterpolation filter;
+  auto points = marked(7, 1.0);
+  filter->SetInputData(points);
+  filter->Update();
+  filter->SetDimensions(30, 20);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 1);
+  for (const double value : { 2.0, 3.0 })
+  {
+    points = marked(7, value); // others of the same content
+    filter->SetInputData(points);
+    filter->Update();
+    EXPECT_EQ(filter->GetNumberOfTriangulations(), 1);
+    EXPECT_NEAR(arrayOf(filter->GetOutput(), "a")->GetRange()[1], value, 1e-12);
+  }
+  filter->SetInputData(marked(8, 3.0));
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 2);
 }
 
 /// Between executions the kept triangulation holds no data of the points, except those made from

@@ -179,6 +179,18 @@ TEST(InterpolationPlaces, NoneOnTheSurfaceNamesBothBounds)
   EXPECT_NE(filter.Said->Warnings[0].find("None of 2 places"), std::string::npos);
   EXPECT_NE(filter.Said->Warnings[0].find("x 5 to 7, y 6 to 8"), std::string::npos);
   EXPECT_NE(filter.Said->Warnings[0].find("x 0 to 1, y 0 to 1"), std::string::npos);
+  WatchedInterpolation raster;
+  raster->SetInputData(makeCloud({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }));
+  raster->UseBoundsOn();
+  raster->SetBounds(5, 9, -4, 20);
+  raster->SetDimensions(3, 2);
+  raster->Update();
+  ASSERT_EQ(raster.Said->Warnings.size(), 1u);
+  EXPECT_NE(
+    raster.Said->Warnings[0].find("None of 6 places is on the surface of 1 triangles. "
+                                  "Places: x 5.66666667 to 8.33333333, y 2 to 14; points: x 0"),
+    std::string::npos)
+    << raster.Said->Warnings[0];
 }
 
 /// A wall: points in x, z are triangulated in the plane that fits them.
@@ -329,6 +341,31 @@ TEST(InterpolationPlaces, MissingValuesOfBlocks)
       "a, 3 of b. No height is missing."),
     std::string::npos)
     << filter.Said->Warnings[0];
+}
+
+/// There are some, and none where nothing ran.
+TEST(InterpolationPlaces, SecondsOfBlocks)
+{
+  const auto places = makeCloud(scatteredPoints(20000, 5));
+  const auto secondsOf = [&](std::size_t count, vtkTypeInt64 limit)
+  {
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    for (unsigned k = 0; k < count; ++k)
+    {
+      blocks->SetBlock(k, places);
+    }
+    WatchedInterpolation filter;
+    filter->SetInputData(makeCloud(scatteredPoints(2000, 3)));
+    filter->SetInputDataObject(1, blocks);
+    filter->GetTriangulation()->SetMemoryLimit(limit);
+    filter->GetTriangulation()->SetNumberOfThreads(1);
+    filter->Update();
+    EXPECT_EQ(filter.Said->Errors.size(), limit > 0 ? 1u : 0u);
+    return filter->GetSampleSeconds();
+  };
+  EXPECT_GT(secondsOf(1, 0), 0.0);
+  EXPECT_GT(secondsOf(3, 0), 0.0);
+  EXPECT_EQ(secondsOf(3, 1), 0.0);
 }
 
 /// Of all blocks together, once.
