@@ -105,12 +105,13 @@ class Edit:
         others = [name for name, row in KEYWORDS.items()
                   if name not in _KEPT and request.settings[row.setting] != usual[row.setting]]  # fmt: skip
         others += ["plane"] * (request.settings["plane"] != library.PLANE_XY)
-        others += sorted(set(request.arrays) - {"points", "line_ids", "line_offsets", "voronoi_polygon"})
+        more = set(request.arrays) - {"points", "line_ids", "line_offsets", "loop_offsets", "voronoi_polygon"}
+        others += sorted("loops" if name == "loop_ids" else name for name in more)
         if made.counts["added_points"]:
             others.append("crossings")
         if others:
-            raise ValueError("a triangulation of points, segments and lines can be edited, not one with %s" % (
-                ", ".join(dict.fromkeys(others)).replace("loop_ids", "loops")))  # fmt: skip
+            raise ValueError("a triangulation of points, segments and lines can be edited, not one with %s" %
+                             ", ".join(dict.fromkeys(others)))  # fmt: skip
         edit = cls.__new__(cls)
         edit._keywords = dict(DEFAULTS)
         with made._locked():
@@ -308,7 +309,7 @@ def _ids(name: str, given: Any, columns: int) -> np.ndarray:
         raise TypeError("%s must be whole numbers, the ids of points, not of type %s" % (name, ids.dtype))
     if ids.shape[1:] != shape[1:] or ids.ndim != len(shape):
         raise ValueError("%s must be of shape %s, not %s" % (name, "(k,)" if columns == 1 else "(k, 2)", ids.shape))
-    if ids.dtype.kind == "u" and ids.max() > np.iinfo(np.int64).max:
+    if ids.dtype.kind == "u" and int(ids.max()) >= 2**63:  # NumPy 1 compares doubles
         raise ValueError("%s: no point has the id %d" % (name, ids.max()))
     return np.ascontiguousarray(ids, np.int64)
 

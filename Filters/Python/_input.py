@@ -212,7 +212,7 @@ def _ids(name: str, given: Any, wanted: str = _CHAINS) -> np.ndarray:
     if ids.dtype.kind not in "iu":
         hint = ": coordinates go to constraints" if ids.dtype.kind == "f" else ""
         raise TypeError("%s must be whole numbers, the ids of points, not of type %s%s" % (name, ids.dtype, hint))
-    if ids.dtype.kind == "u" and ids.dtype.itemsize == 8 and ids.max() > 2**63 - 1:
+    if ids.dtype.kind == "u" and ids.dtype.itemsize == 8 and int(ids.max()) >= 2**63:  # NumPy 1 compares doubles
         raise ValueError("%s: %d is not the id of a point" % (name, ids.max()))
     isReady = ids.dtype in (np.int32, np.int64) and ids.dtype.isnative and ids.flags.aligned
     return ids if isReady else ids.astype(np.int64)

@@ -4,16 +4,21 @@ raises is in one of them. AHD_WRITE_HASHES=1 writes the file anew, to be read an
 """
 
 import ast
+import copy
 import json
 import os
 import pathlib
 import re
 import unittest
 import warnings
+from types import SimpleNamespace
+from unittest import mock
 
 import numpy as np
 
-from adaptivehilbertdelaunay import DelaunayWarning, LinearInterpolator, NearestInterpolator, Raster, delaunay, scipy
+from adaptivehilbertdelaunay import (
+    DelaunayWarning, LinearInterpolator, NearestInterpolator, Raster, _exchange, _geotiff, delaunay, scipy,
+)
 from arraysupport import SQUARE, cloud
 
 import literals  # (arraysupport has put its folder on the path)
@@ -21,9 +26,9 @@ import test_geometry
 import test_input
 
 FILE = pathlib.Path(__file__).with_name("Refusals.json")
-MODULES = ("_geometry.py", "_input.py", "_interpolators.py", "_names.py", "_raster.py",
-           "_refined.py", "_sampling.py", "_simplified.py", "_spatial.py", "_triangulate.py",
-           "_triangulation.py", "scipy.py")  # fmt: skip
+MODULES = ("_contours.py", "_edit.py", "_exchange.py", "_geometry.py", "_geotiff.py", "_input.py", "_interpolators.py",
+           "_made.py", "_names.py", "_outlined.py", "_raster.py", "_refined.py", "_sampling.py", "_simplified.py",
+           "_spatial.py", "_triangulate.py", "_triangulation.py", "scipy.py")  # fmt: skip
 # Exceptions that are caught again, with other texts.
 INSIDE = (" is not a number", '"voronoi_polygon"')
 NOT_MUST = re.compile("(is|are|has|have) to (be|have) ")
@@ -47,6 +52,58 @@ class Endless:
 
 def plane_of_shape(xyz):
     return xyz[:, :2]
+
+
+class OfGdal:
+    """A data set of GDAL, with such a place."""
+
+    RasterXSize = RasterYSize = 2
+
+    def __init__(self, *geotransform):
+        self.GetGeoTransform = lambda: geotransform
+
+
+class OfXarray:
+    """A DataArray with such coordinates."""
+
+    def __init__(self, **coords):
+        self.dims, self.coords = tuple(coords), {name: each for name, each in coords.items() if each is not None}
+
+
+def unknown_system(_):
+    raise ValueError("no such system")
+
+
+SYSTEMS = SimpleNamespace(CRS=SimpleNamespace(from_user_input=unknown_system))
+RASTERIO = SimpleNamespace(__name__="rasterio", crs=SYSTEMS)
+
+
+def written_without_packages():
+    with mock.patch.object(_exchange, "writer", lambda: None):
+        CELLS.to_geotiff("none.tif", np.zeros((2, 3)))
+
+
+def edited(call):
+    """A call of an edit of six points."""
+    return lambda: call(MADE.edit())
+
+
+def closed(edit):
+    with edit:
+        pass
+    edit.insert([[5, 5]])
+
+
+def lost(edit):
+    with mock.patch.object(edit._job, "isLost", True):
+        edit.insert([[5, 5]])
+
+
+def changed():
+    points = SQUARE.astype(np.float64)
+    made = delaunay(points)
+    points[0] = 7, 7
+    made.interpolate(VALUES, PLACE)
 
 
 # By name: the refused call. Refusals of delaunay()'s own arguments are in test_input.py.
@@ -116,6 +173,7 @@ CALLS = {
     "points across": lambda: delaunay(np.zeros((2, 9))),
     "loops of coordinates": lambda: delaunay(SQUARE, loops=[SQUARE[:3].tolist(), SQUARE[:4].tolist()]),
     "a loop of coordinates": lambda: delaunay(SQUARE, loops=SQUARE),
+    "a loop of ids above all": lambda: delaunay(SQUARE, loops=np.array([0, 1, 2**63], np.uint64)),
     "ragged segments": lambda: delaunay(SQUARE, segments=[[0, 1], [2]]),
     "values without those of the source": lambda: WITH_SOURCE.interpolate(VALUES, PLACE),
     "values of an interpolator with a source": lambda: LinearInterpolator(WITH_SOURCE, VALUES),
@@ -158,6 +216,40 @@ CALLS = {
     "simplify values with a source": lambda: WITH_SOURCE.simplify(1, values=np.arange(8.0)[:6]),
     "simplify values with bounding points": lambda: delaunay(SQUARE, bounding=True).simplify(1, values=VALUES),
     "simplify values of the lowest": lambda: delaunay(cloud(1, 6, 3), duplicates="lowest_z").simplify(1, values=VALUES),
+    "levels in a table": lambda: MADE.contours(VALUES, [[1.0, 2.0]]),
+    "levels of text": lambda: MADE.contours(VALUES, ["a"]),
+    "a level that is NaN": lambda: MADE.contours(VALUES, [1.0, np.nan]),
+    "no level": lambda: MADE.contours(VALUES, []),
+    "one level of bands": lambda: MADE.contours(VALUES, [1.0, 1.0], filled=True),
+    "contours of rows": lambda: MADE.contours(np.zeros((6, 2)), [1.0]),
+    "a radius of 0": lambda: MADE.alpha_shape(0),
+    "a radius that is NaN": lambda: MADE.alpha_shape(np.nan),
+    "points that were changed": changed,
+    "edit of alpha and loops": lambda: delaunay(SQUARE, alpha=9.0, loops=[0, 1, 2]).edit(),
+    "edit that was closed": edited(closed),
+    "edit that was lost": edited(lost),
+    "edit in space": edited(lambda edit: edit.insert([[5, 5, 5]])),
+    "edit copied": edited(copy.copy),
+    "edit: more ids than points": edited(lambda edit: edit.move([0, 1], [[5, 5]])),
+    "edit: places in space": edited(lambda edit: edit.locate([[5, 5, 5]])),
+    "edit: ids of text": edited(lambda edit: edit.remove(["a"])),
+    "edit: parts of an id": edited(lambda edit: edit.remove([1.5])),
+    "edit: ids in pairs": edited(lambda edit: edit.remove([[0, 1]])),
+    "edit: segments one by one": edited(lambda edit: edit.constrain([0, 1])),
+    "edit: an id that is no point's": edited(lambda edit: edit.remove([6])),
+    "edit: an id above all": edited(lambda edit: edit.remove(np.array([2**63], np.uint64))),
+    "raster like text": lambda: MADE.raster(like=OfGdal),
+    "raster of GDAL with five numbers": lambda: MADE.raster(like=OfGdal(0, 1, 0, 0, 0)),
+    "raster of GDAL that is turned": lambda: MADE.raster(like=OfGdal(0, 1, 0.5, 0, 0, -1)),
+    "raster of xarray in one dimension": lambda: MADE.raster(like=OfXarray(x=[1, 2])),
+    "raster of xarray with x first": lambda: MADE.raster(like=OfXarray(x=[1, 2], y=[1, 2])),
+    "raster of xarray without coordinates": lambda: MADE.raster(like=OfXarray(y=None, x=[1, 2])),
+    "raster of xarray that is uneven": lambda: MADE.raster(like=OfXarray(y=[1, 2], x=[1, 2, 4])),
+    "file of another shape": lambda: CELLS.to_geotiff("none.tif", np.zeros((3, 2))),
+    "file of text": lambda: CELLS.to_geotiff("none.tif", np.full((2, 3), "a")),
+    "file without packages": written_without_packages,
+    "file of an unknown system": lambda: _exchange.system_of(RASTERIO, "EPSG:0"),
+    "file above 4 GiB": lambda: _geotiff.write("none.tif", np.broadcast_to(0.0, (25000, 25000)), (0, 0), (1, 1)),
     "a masked skip": lambda: delaunay(SQUARE, skip=np.ma.masked_equal(np.zeros(6, bool), False)),
 }
 for k, (_, given, _) in enumerate(test_geometry.WRONG):
@@ -195,7 +287,7 @@ def refusal_of(call):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", DelaunayWarning)
             call()
-    except (AttributeError, RuntimeError, TypeError, ValueError, MemoryError) as error:
+    except (AttributeError, ImportError, RuntimeError, TypeError, ValueError, MemoryError) as error:
         return "%s: %s" % (type(error).__name__, error)
     return "taken"
 
