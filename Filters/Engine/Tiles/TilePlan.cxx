@@ -186,6 +186,11 @@ std::int32_t TilePlan::leafOf(std::uint64_t key) const
   return std::max(0, static_cast<std::int32_t>(after - facts_.leaves.begin()) - 1);
 }
 
+std::int32_t TilePlan::leafOf(const Point& p) const
+{
+  return isFinite(p) ? leafOf(grid_.keyOf(p)) : -1;
+}
+
 void TilePlan::findLeaves(
   const PointView& points, std::size_t begin, std::size_t end, std::int32_t* leaves) const
 {

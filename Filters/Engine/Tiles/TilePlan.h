@@ -91,6 +91,8 @@ public:
   /// The leaves of the points from `begin` to `end`; -1 for one that is not finite.
   void findLeaves(
     const PointView& points, std::size_t begin, std::size_t end, std::int32_t* leaves) const;
+  /// The same of one point.
+  std::int32_t leafOf(const Point& p) const;
   /// The places of the raster that belong to the leaf.
   SampleRaster pieceOf(const SampleRaster& whole, std::size_t k) const;
   /// Do all places of the raster belong to leaves?

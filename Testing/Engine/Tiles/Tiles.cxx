@@ -7,7 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
+#include <random>
 
 namespace ahd
 {
@@ -59,6 +60,86 @@ TEST(Tiles, EveryFileOfTheCorpusIsAsInOneRun)
       way.most = most;
       expectTheStream(viewOf(given.points), way, given.name);
     }
+  }
+}
+
+/// More than 16 points in one cell, of which some are near other leaves.
+TEST(Tiles, CrowdsAreAsInOneRun)
+{
+  for (const std::uint64_t seed : { 1, 2, 3 })
+  {
+    std::vector<Point> points = makePoints(Distribution::Uniform, 300, seed);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> part(0, 1e-12);
+    for (std::size_t crowd = 0; crowd != 30; ++crowd)
+    {
+      for (int k = 0; k != 40; ++k)
+      {
+        points.push_back({ points[crowd].x + part(random), points[crowd].y + part(random) });
+      }
+    }
+    for (const std::uint64_t most : { 5, 50, 400 })
+    {
+      TilesWay way;
+      way.most = most;
+      expectTheStream(viewOf(points), way, "crowds");
+    }
+  }
+}
+
+TEST(Tiles, ThreadsGiveTheSameBytes)
+{
+  const std::vector<Point> points = makePoints(Distribution::Mixed, reduced(20000), 1);
+  for (const std::uint64_t most : { 100, 2000, 100000 })
+  {
+    TilesWay way;
+    way.most = most;
+    TilesRun one(viewOf(points), way);
+    way.threads = 2;
+    TilesRun two(viewOf(points), way);
+    EXPECT_EQ(one.borders(), two.borders());
+    EXPECT_EQ(one.owns(), two.owns());
+    EXPECT_EQ(one.shares(), two.shares());
+    EXPECT_EQ(two.triangles(), trianglesOfOneRun(viewOf(points)));
+  }
+}
+
+std::vector<Point> placesOf(const std::vector<std::int64_t>& ids, const std::vector<Point>& points)
+{
+  std::vector<Point> places;
+  for (const std::int64_t id : ids)
+  {
+    places.push_back(points[std::size_t(id)]);
+  }
+  return places;
+}
+
+TEST(Tiles, TheOrderOfPointsChangesIdsOnly)
+{
+  std::vector<Point> points = makePoints(Distribution::Utm, 3000, 1);
+  const TilesWay way;
+  const std::vector<Point> first = placesOf(TilesRun(viewOf(points), way).triangles(), points);
+  std::mt19937 random(1);
+  std::shuffle(points.begin(), points.end(), random);
+  EXPECT_EQ(placesOf(TilesRun(viewOf(points), way).triangles(), points), first);
+}
+
+/// Of points at one place the lowest, the highest or the first is in the triangles.
+TEST(Tiles, RepresentativesAreThoseOfOneRun)
+{
+  const std::vector<Point> places = makePoints(Distribution::RepeatedDraws, 4000, 1);
+  std::vector<double> xyz;
+  for (std::size_t i = 0; i != places.size(); ++i)
+  {
+    xyz.insert(xyz.end(), { places[i].x, places[i].y, double(i * 7919 % 100) });
+  }
+  const PointView points(xyz.data(), places.size(), 3);
+  for (const Representative chosen :
+    { Representative::FirstId, Representative::LowestZ, Representative::HighestZ })
+  {
+    TilesWay way;
+    way.representative = chosen;
+    EXPECT_EQ(TilesRun(points, way).triangles(), trianglesOfOneRun(points, chosen));
   }
 }
 

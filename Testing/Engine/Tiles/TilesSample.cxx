@@ -112,7 +112,7 @@ void expectTheRaster(const std::vector<Point>& points, std::uint64_t most, const
     ids[i] = std::int64_t(i);
     bounds = joined(bounds, points[i]);
   }
-  const SampleRaster raster = rasterAround(bounds, 60);
+  const SampleRaster raster = rasterAround(bounds, 40);
   TilesWay way;
   way.most = most;
   way.extent = boundsOf(raster);
@@ -159,8 +159,8 @@ TEST(TilesSample, RastersOfEveryDistributionAreThoseOfOneRun)
 {
   for (const Distribution d : allDistributions())
   {
-    const std::vector<Point> points = makePoints(d, affordable(d, 1500), 3);
-    expectTheRaster(points, 2 * points.size() / 40 + 1, nameOf(d));
+    const std::vector<Point> points = makePoints(d, affordable(d, 700), 3);
+    expectTheRaster(points, 2 * points.size() / 30 + 1, nameOf(d));
   }
 }
 

@@ -22,10 +22,19 @@ TilesRun::TilesRun(const PointView& points, const TilesWay& way)
   visits_ = std::make_unique<TileVisits>(std::move(facts));
   deal(points);
   visitAll();
-  for (std::size_t node = plan().leaves(); node != plan().parts() && fault.empty(); ++node)
+  for (std::size_t node = plan().leaves(); node != plan().parts() && isFine(); ++node)
   {
     merge(node);
   }
+}
+
+/// Does it return Ok?
+bool TilesRun::call(const std::function<Status()>& work)
+{
+  const Status done = way_.call ? way_.call(work) : work();
+  const std::lock_guard<std::mutex> lock(telling_);
+  status = done == Status::Ok ? status : done;
+  return done == Status::Ok;
 }
 
 bool TilesRun::count(const PointView& points, TileFacts& facts)
@@ -40,8 +49,7 @@ bool TilesRun::count(const PointView& points, TileFacts& facts)
       PointView chunk = points;
       chunk.doubles += begin * chunk.stride;
       chunk.count = std::min(kChunk, points.count - begin);
-      status = counter.count(chunk, way_.context);
-      if (status != Status::Ok)
+      if (!call([&] { return counter.count(chunk, way_.context); }))
       {
         return false;
       }
@@ -85,7 +93,7 @@ void TilesRun::visitAll()
   {
     const auto work = [this, t]
     {
-      for (std::size_t leaf = t; leaf < plan().leaves(); leaf += way_.threads)
+      for (std::size_t leaf = t; leaf < plan().leaves() && isFine(); leaf += way_.threads)
       {
         visit(leaf);
       }
@@ -108,9 +116,10 @@ void TilesRun::visitAll()
 bool TilesRun::fits(const TilePoints& given, const TileKept& kept)
 {
   const char* wrong = nullptr;
-  status = visits_->findFault(given, kept, way_.context, wrong);
+  const bool goesOn = call([&] { return visits_->findFault(given, kept, way_.context, wrong); });
+  const std::lock_guard<std::mutex> lock(telling_);
   fault = wrong ? wrong : fault;
-  return !wrong && status == Status::Ok;
+  return !wrong && goesOn;
 }
 
 void TilesRun::visit(std::size_t leaf)
@@ -121,8 +130,7 @@ void TilesRun::visit(std::size_t leaf)
     return;
   }
   TileOutput out;
-  const Status done = visits_->visit(given, way_.representative, way_.context, out);
-  status = done == Status::Ok ? status : done;
+  call([&] { return visits_->visit(given, way_.representative, way_.context, out); });
   borders_[leaf] = std::move(out.border);
   owns_[leaf] = std::move(out.own);
 }
@@ -146,8 +154,7 @@ void TilesRun::merge(std::size_t node)
     borderPoints += isLeaf ? borders[k].border.points.size() : 0;
   }
   TileOutput out;
-  const Status done = visits_->merge(node, borders, way_.context, out);
-  status = done == Status::Ok ? status : done;
+  call([&] { return visits_->merge(node, borders, way_.context, out); });
   borders_[node] = std::move(out.border);
   shares_[node] = std::move(out.share);
 }
@@ -166,19 +173,18 @@ std::vector<TileView> TilesRun::sharesFor(std::size_t leaf) const
 std::vector<std::int64_t> TilesRun::triangles(std::vector<std::uint8_t>* edges)
 {
   std::vector<std::int64_t> all;
-  for (std::size_t leaf = 0; leaf != plan().leaves() && fault.empty(); ++leaf)
+  for (std::size_t leaf = 0; leaf != plan().leaves() && isFine(); ++leaf)
   {
     std::vector<TileSection> sections;
     const TileView own = viewOf(owns_[leaf]);
     const TileKept kept{ &own, &sections };
     if (!visits_->readSections(leaf, sharesFor(leaf), sections) || !fits(pointsOf(leaf), kept))
     {
-      fault = "no shares, or not its own";
+      fault = isFine() ? "no shares" : fault;
       break;
     }
     TileOutput out;
-    const Status done = visits_->makeTriangles(pointsOf(leaf), kept, way_.context, out);
-    status = done == Status::Ok ? status : done;
+    call([&] { return visits_->makeTriangles(pointsOf(leaf), kept, way_.context, out); });
     all.insert(all.end(), out.triangles.begin(), out.triangles.end());
     if (edges)
     {
@@ -198,8 +204,7 @@ SecondVisit TilesRun::second(std::size_t leaf)
     fault = "no shares";
     return visit;
   }
-  const Status done = visits_->makeList(leaf, sections, way_.context, out);
-  status = done == Status::Ok ? status : done;
+  call([&] { return visits_->makeList(leaf, sections, way_.context, out); });
   visit.ids = ids_[leaf];
   visit.xyz = xyz_[leaf];
   visit.own = visit.ids.size();
@@ -218,7 +223,7 @@ SecondVisit TilesRun::second(std::size_t leaf)
 std::vector<std::int64_t> TilesRun::trianglesOfSecondVisits()
 {
   std::vector<std::int64_t> all;
-  for (std::size_t leaf = 0; leaf != plan().leaves() && fault.empty(); ++leaf)
+  for (std::size_t leaf = 0; leaf != plan().leaves() && isFine(); ++leaf)
   {
     const SecondVisit visit = second(leaf);
     const Outcome made = triangulate(visit.view(), visit.options);

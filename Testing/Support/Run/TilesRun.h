@@ -8,7 +8,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,7 @@ struct TilesWay
   Representative representative = Representative::FirstId;
   std::size_t threads = 1; ///< that visit leaves at once
   Context context;
+  std::function<Status(const std::function<Status()>&)> call = nullptr; ///< calls its argument
 };
 
 /// The points of a leaf with those of its list, as one run sees them.
@@ -48,9 +51,9 @@ public:
   TilesRun(const PointView& points, const TilesWay& way);
 
   Status status = Status::Ok;
-  std::string fault;        ///< refused by a check
-  std::size_t mostOpen = 0; ///< bytes of borders at a time
-  std::size_t borderPoints = 0;
+  std::string fault;            ///< refused by a check
+  std::size_t borderPoints = 0; ///< of all leaves
+  bool isFine() const { return status == Status::Ok && fault.empty(); }
 
   const TileVisits& visits() const { return *visits_; }
   const TilePlan& plan() const { return visits_->plan(); }
@@ -69,6 +72,7 @@ public:
   std::vector<TileView> sharesFor(std::size_t leaf) const;
 
 private:
+  bool call(const std::function<Status()>& work);
   bool count(const PointView& points, TileFacts& facts);
   void deal(const PointView& points);
   void visitAll();
@@ -81,6 +85,7 @@ private:
   std::vector<std::vector<double>> xyz_;            ///< of each leaf
   std::vector<std::vector<std::int64_t>> ids_;      ///< the same
   std::vector<BlockBytes> borders_, owns_, shares_; ///< of parts
+  std::mutex telling_;
 };
 
 inline TileView viewOf(const BlockBytes& bytes)
