@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""python -m adaptivehilbertdelaunay: --version, and --paraview-plugin, where the plugin for ParaView is."""
+"""adaptivehilbertdelaunay, or python -m adaptivehilbertdelaunay: --version; --paraview-plugin, where the plugin for
+ParaView is; and `tiles`, rasters and TINs of many files."""
 
 import argparse
 import os
@@ -11,7 +12,12 @@ PLUGIN = os.path.join(os.path.abspath(_folders[-1]), "AdaptiveHilbertDelaunayPlu
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(prog="python -m adaptivehilbertdelaunay")
+    if sys.argv[1:2] == ["tiles"]:
+        from .tiles._command import main as make_tiles
+
+        return make_tiles(sys.argv[2:])
+    parser = argparse.ArgumentParser(
+        prog="python -m adaptivehilbertdelaunay", epilog="tiles FILES...: rasters and TINs of many files (--help)")
     what = parser.add_mutually_exclusive_group(required=True)
     what.add_argument("--version", action="store_true", help="print the version, and where the library is")
     what.add_argument(

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import importlib
+import math
 import os
 from typing import TYPE_CHECKING, Any, Dict, Sequence, Tuple
 
@@ -131,9 +132,9 @@ def _dtype_of(bands: np.ndarray, known: Sequence[str]) -> Any:
     return np.dtype(bands.dtype.name if bands.dtype.name in known else np.float64)
 
 
-def _options(dtype: Any) -> Dict[str, str]:
+def _options(dtype: Any, isBig: str) -> Dict[str, str]:
     predictor = "3" if dtype.kind == "f" else "2"  # of numbers from those beside them
-    return {"COMPRESS": "DEFLATE", "PREDICTOR": predictor, "TILED": "YES", "BIGTIFF": "IF_SAFER"}
+    return {"COMPRESS": "DEFLATE", "PREDICTOR": predictor, "TILED": "YES", "BIGTIFF": isBig}
 
 
 def _pieces(bands: np.ndarray, dtype: Any) -> Any:
@@ -143,13 +144,16 @@ def _pieces(bands: np.ndarray, dtype: Any) -> Any:
             yield row, band + 1, np.ascontiguousarray(bands[row : row + _ROWS, :, band], dtype)
 
 
-def _by_rasterio(rasterio: Any, path: str, bands: np.ndarray, place: Sequence[float], crs: Any) -> None:
+def _by_rasterio(rasterio: Any, path: str, bands: Any, place: Sequence[float], crs: Any, no_data: float = math.nan,
+                 isBig: str = "IF_SAFER") -> None:  # fmt: skip
+    """`bands`: an array (rows, columns, bands), or what has its shape, dtype and some rows of a band."""
     dtype = _dtype_of(bands, ("uint8", "uint16", "int16", "uint32", "int32", "float32", "float64"))
-    nodata = float("nan") if dtype.kind == "f" else None
+    nodata = no_data if dtype.kind == "f" else None
+    options = {name.lower(): value for name, value in _options(dtype, isBig).items()}
     rows, columns, count = bands.shape
     with rasterio.open(
         path, "w", driver="GTiff", width=columns, height=rows, count=count, dtype=dtype.name, nodata=nodata, crs=crs,
-        transform=rasterio.Affine.from_gdal(*place), **{name.lower(): value for name, value in _options(dtype).items()}
+        transform=rasterio.Affine.from_gdal(*place), **options
     ) as made:  # fmt: skip
         for row, band, piece in _pieces(bands, dtype):
             made.write(piece, band, window=((row, row + len(piece)), (0, columns)))
@@ -158,20 +162,22 @@ def _by_rasterio(rasterio: Any, path: str, bands: np.ndarray, place: Sequence[fl
             made.read(band, window=((row, row + len(piece)), (0, columns)))
 
 
-def _by_gdal(gdal: Any, path: str, bands: np.ndarray, place: Sequence[float], crs: Any) -> None:
+def _by_gdal(gdal: Any, path: str, bands: Any, place: Sequence[float], crs: Any, no_data: float = math.nan,
+             isBig: str = "IF_SAFER") -> None:  # fmt: skip
     types = {"uint8": gdal.GDT_Byte, "uint16": gdal.GDT_UInt16, "int16": gdal.GDT_Int16, "uint32": gdal.GDT_UInt32,
              "int32": gdal.GDT_Int32, "float32": gdal.GDT_Float32, "float64": gdal.GDT_Float64}  # fmt: skip
     dtype = _dtype_of(bands, tuple(types))
     gdal.UseExceptions()
     rows, columns, count = bands.shape
+    options = ["%s=%s" % option for option in _options(dtype, isBig).items()]
     try:
         made = gdal.GetDriverByName("GTiff").Create(
-            path, columns, rows, count, types[dtype.name], ["%s=%s" % option for option in _options(dtype).items()])
+            path, columns, rows, count, types[dtype.name], options)
         made.SetGeoTransform(place)
         if crs is not None:
             made.SetProjection(crs)
         for band in range(count) if dtype.kind == "f" else ():
-            made.GetRasterBand(band + 1).SetNoDataValue(float("nan"))
+            made.GetRasterBand(band + 1).SetNoDataValue(no_data)
         for row, band, piece in _pieces(bands, dtype):  # as bytes: GDAL's arrays need the NumPy it was built with
             made.GetRasterBand(band).WriteRaster(0, row, columns, len(piece), piece.tobytes())
         made.FlushCache()

@@ -60,7 +60,8 @@ fi
 # shellcheck disable=SC2046
 install_packages $(packages_to build "$release") $(packages_to draw "$release") python3-matplotlib python3-pil
 configure_and_build "$build" BUILD_TESTING=OFF? AHD_BUILD_PARAVIEW_PLUGIN=ON AHD_WRAP_PYTHON=ON \
-  Python3_EXECUTABLE=/usr/bin/python3 -- AdaptiveHilbertDelaunay
+  Python3_EXECUTABLE=/usr/bin/python3 -- AdaptiveHilbertDelaunay AdaptiveHilbertDelaunayPythonLibrary
+export PYTHONPATH=$build/lib/python3/dist-packages # for tiles
 plugin=$(find "$build/lib" -name AdaptiveHilbertDelaunay.so -path '*/plugins/*' 2>/dev/null | head -n 1)
 [ -n "$plugin" ] || fail 1 "the build made no plugin. Remove the build folder and try again: rm -r $build"
 with_display pvbatch "$here/Scripts/make_figures.py" --plugin "$plugin" "${arguments[@]}"

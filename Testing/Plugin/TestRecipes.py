@@ -164,6 +164,22 @@ def test_what_a_lighter_surface_lost():
     check(0.4 < max(off) < 0.6, "the largest difference on the raster is %r" % max(off))
 
 
+def test_pieces():
+    """They are one surface, with the contours of one; the hull has the only open edges."""
+    points, levels = recipes.survey(count=200000), range(10, 90, 10)
+    lines = recipes.contours_of_pieces(recipes.in_pieces(points, os.getcwd()), levels)
+    whole = simple.AdaptiveHilbertDelaunay2D(Input=points)
+    elevations = simple.Calculator(Input=whole, ResultArrayName="z", Function="coordsZ")
+    of_whole = simple.Contour(Input=elevations, ContourBy=["POINTS", "z"], Isosurfaces=list(levels))
+    counts = [servermanager.Fetch(made).GetNumberOfCells() for made in (lines, of_whole)]
+    check_equal(counts[0], counts[1], "pieces of the contours")
+    check(counts[0] > 10000, "%d pieces of the contours" % counts[0])
+    rims = [simple.FeatureEdges(Input=simple.Clean(Input=made), FeatureEdges=0, NonManifoldEdges=0)
+            for made in (lines.Input, whole)]  # fmt: skip
+    counts = [servermanager.Fetch(rim).GetNumberOfCells() for rim in rims]
+    check_equal(counts[0], counts[1], "open edges")
+
+
 def test_change():
     """The pit was dug, and nothing else changed by more than the triangles differ."""
     bounds, size = [20, 980, 20, 980], 2.0

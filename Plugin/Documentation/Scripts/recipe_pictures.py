@@ -274,6 +274,24 @@ def lighter(path):
     save(path, layout)
 
 
+def pieces(path):
+    """Of the TIN in pieces: each in its colour, where four meet; and all of it, with contours."""
+    with tempfile.TemporaryDirectory() as folder:
+        lines = recipes.contours_of_pieces(recipes.in_pieces(hills(count=200000), folder), range(10, 90, 10))
+        lines.UpdatePipeline()
+        left = view(distance=34, focus=(500.0, 500.0, 45.0))
+        colours = [(0.72, 0.82, 0.62), (0.95, 0.83, 0.6), (0.67, 0.8, 0.9), (0.9, 0.72, 0.68)]
+        parts = [os.path.join(folder, "survey", name) for name in sorted(os.listdir(os.path.join(folder, "survey")))]
+        for part, colour in zip(parts, colours):
+            piece = simple.OpenDataFile(part)
+            display = show(piece, left, colours=colour, Representation="Surface With Edges", Ambient=1.0, Diffuse=0.0)
+            display.EdgeColor = [0.35, 0.35, 0.35]
+        right = view(distance=1040, focus=BESIDE)
+        show(lines.Input, right, "z", limits=(0, 90), title="height, m")
+        show(lines, right, colours=(0.2, 0.2, 0.2), LineWidth=2, Position=[0, 0, 1])
+        side_by_side(path, left, right)
+
+
 def slope(path):
     made = recipes.slope_and_aspect(hills(), 4.0)
     made.UpdatePipeline()
@@ -315,7 +333,8 @@ def drape(path):
 
 
 PICTURES = {function.__name__: function
-            for function in (contours, flat, outline, profile, volume, change, lighter, slope, drape)}  # fmt: skip
+            for function in (
+                contours, flat, outline, profile, volume, change, lighter, pieces, slope, drape)}  # fmt: skip
 
 
 def draw(folder, lidar=None, only=None):

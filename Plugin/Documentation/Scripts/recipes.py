@@ -4,6 +4,8 @@ same settings. Each function takes points (a proxy) and returns the last filter.
 Testing/Plugin/TestRecipes.py compares their numbers with what they have to be.
 """
 
+import os
+
 from paraview import simple
 
 #: The pit that the second survey found: its centre and radius in metres, its depth. A paraboloid.
@@ -113,6 +115,26 @@ def lighter(points, error):
     """A surface of fewer points: it differs at none of them by more. Fate has their ids in the input."""
     surface = simple.AdaptiveHilbertDelaunay2D(Input=points, MaximumError=error, GeneratePointStatus=1)
     return simple.Clean(Input=surface, PointMerging=0)
+
+
+def in_pieces(points, folder):
+    """The path of the .pvtp that the command `adaptivehilbertdelaunay tiles` makes of these points in a folder.
+    Requires: the Python package is on Python's path."""
+    import numpy
+    from adaptivehilbertdelaunay import tiles
+    from paraview import servermanager
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    given, made = os.path.join(folder, "survey.npy"), os.path.join(folder, "survey.pvtp")
+    numpy.save(given, vtk_to_numpy(servermanager.Fetch(points).GetPoints().GetData()))
+    tiles.make([given], tin=made, leaf=5000, piece=50000, overwrite=True)
+    return made
+
+
+def contours_of_pieces(path, levels):
+    """Lines of equal height on the surface of a .pvtp, which is their Input."""
+    surface = simple.OpenDataFile(path)
+    return simple.Contour(Input=surface, ContourBy=["POINTS", "z"], Isosurfaces=list(levels))
 
 
 def slope_and_aspect(points, size=2.0):

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is done with each leaf when all borders are merged: its cells of the raster, and its triangles."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+
+import numpy as np
+
+from .._raster import Raster
+from . import _pvtp
+from ._leaves import Leaves, Plan
+from ._points import records_of
+from ._store import Store, written
+from ._tiff import Window
+
+CELLS = 1 << 22  #: that are sampled at a time
+
+
+class Wanted(NamedTuple):
+    """Of a run."""
+
+    raster: Optional[Raster]
+    windows: List[Window]  #: of the leaves
+    method: int
+    dtype: str
+    pieces: Optional[str]  #: the folder of a TIN
+    names: Tuple[str, ...]  #: point data of a TIN that the files have
+    hasLines: bool
+
+
+def groups_of(plan: Plan, piece: int) -> List[range]:
+    """Leaves that are done together: those of a piece of a TIN, about so many points in each; 0: each alone."""
+    count, leaves = len(plan.counts), np.arange(len(plan.counts))
+    if piece == 0:
+        return [range(leaf, leaf + 1) for leaf in range(count)]
+    pieces = max(1, round(int(plan.counts.sum()) / piece))
+    of = (plan.begins[:-1] + plan.counts // 2) * pieces // max(1, int(plan.counts.sum()))
+    cuts = [0, *(leaves[1:][np.diff(of) > 0]).tolist(), count]
+    return [range(begin, end) for begin, end in zip(cuts, cuts[1:])]
+
+
+class Finish:
+    """Of one group. What it makes depends on the files of the store alone."""
+
+    def __init__(self, store: Store, plan: Plan, kind: np.dtype, wanted: Wanted) -> None:
+        self.store, self.plan, self.kind, self.wanted = store, plan, kind, wanted
+        self.begins = plan.begins
+
+    def piece(self, group: range) -> str:
+        return "%s/%d.vtp" % (self.wanted.pieces, group[0])
+
+    def cells(self, leaf: int) -> str:
+        return self.store.path("cells", "%d.npy" % leaf)
+
+    def kinds(self) -> Dict[str, Any]:
+        """The types of point data of a TIN by name."""
+        return {"z": "<f8", **{name: self.kind[name] for name in self.wanted.names}, _pvtp.IDS: "<i8"}
+
+    def is_done(self, group: range) -> bool:
+        hasPiece = self.wanted.pieces is None or os.path.exists(self.piece(group))
+        return hasPiece and all(os.path.exists(self.cells(leaf)) for leaf in group if self._has_cells(leaf))
+
+    def _has_cells(self, leaf: int) -> bool:
+        return self.wanted.raster is not None and min(self.wanted.windows[leaf][2:]) > 0
+
+    def work(self, leaves: Leaves, group: range) -> None:
+        pieces = [self._leaf(leaves, leaf) for leaf in group]
+        if self.wanted.pieces is not None:
+            triangles = np.concatenate(pieces)
+            _pvtp.write_piece(self.piece(group), self._piece(group, triangles))
+
+    def _leaf(self, leaves: Leaves, leaf: int) -> np.ndarray:
+        """Writes its cells. Returns its triangles, of numbers of points in the order of the leaves."""
+        own = records_of(self.store, leaf, self.kind)["xyz"]
+        shares = [self.store.load_bytes("share", str(node)) for node in self.plan.above(leaf)]
+        if self.wanted.hasLines:
+            given = np.ascontiguousarray(own), self.store.load_bytes("own", str(leaf))
+            numbers = leaves.surface(leaf, *given, shares)
+        else:
+            numbers = leaves.listed(leaf, shares)
+        points = np.empty((len(own) + len(numbers), 3))
+        points[: len(own)] = own
+        points[len(own) :] = self._records(numbers)["xyz"]
+        leaves.triangulate(points, self.plan.bounds)
+        if self._has_cells(leaf):
+            self._sample(leaves, leaf, points)
+        if self.wanted.pieces is None:
+            return np.empty((0, 3), np.int64)
+        triangles = leaves.array("triangles").reshape(-1, 3)
+        triangles = triangles[triangles[:, 0] < len(own)]
+        made: np.ndarray = np.concatenate((self.begins[leaf] + np.arange(len(own)), numbers))[triangles]
+        return made
+
+    def _records(self, numbers: np.ndarray) -> np.ndarray:
+        """Of points of any leaves."""
+        made = np.empty(len(numbers), self.kind)
+        leaf_of = np.searchsorted(self.begins, numbers, "right") - 1
+        for leaf in np.unique(leaf_of).tolist():
+            isHere = leaf_of == leaf
+            made[isHere] = records_of(self.store, leaf, self.kind).take(numbers[isHere] - self.begins[leaf])
+        return made
+
+    def _sample(self, leaves: Leaves, leaf: int, points: np.ndarray) -> None:
+        raster, (row, column, rows, columns) = self.wanted.raster, self.wanted.windows[leaf]
+        assert raster is not None
+        z, step = np.ascontiguousarray(points[:, 2]), max(1, CELLS // columns)
+        with written(self.cells(leaf)) as file:
+            header = {"descr": np.dtype(self.wanted.dtype).str, "fortran_order": False, "shape": (rows, columns)}
+            np.lib.format.write_array_header_1_0(file, header)
+            for begin in range(0, rows, step):
+                window = row + begin, column, min(step, rows - begin), columns
+                values = leaves.values(raster, window, z, self.wanted.method)
+                file.write(values.astype(self.wanted.dtype).tobytes())
+
+    def _piece(self, group: range, triangles: np.ndarray) -> _pvtp.Piece:
+        """Corners of the triangles become the points of a piece: those of its leaves, then others, both in the order of
+        their numbers."""
+        begin, end = self.begins[group[0]], self.begins[group[-1] + 1]
+        isOwn = (begin <= triangles) & (triangles < end)
+        isUsed = np.zeros(end - begin, bool)
+        isUsed[triangles[isOwn] - begin] = True
+        own = np.flatnonzero(isUsed)
+        others, places = np.unique(triangles[~isOwn], return_inverse=True)
+        corners = np.empty(triangles.shape, np.int32)
+        corners[isOwn] = (np.cumsum(isUsed, dtype=np.int32) - 1)[triangles[isOwn] - begin]
+        corners[~isOwn] = len(own) + places.ravel()
+        parts = [records_of(self.store, leaf, self.kind) for leaf in group]
+        records = np.concatenate((np.concatenate(parts).take(own), self._records(others)))
+        columns: Dict[str, np.ndarray] = {"z": np.ascontiguousarray(records["xyz"][:, 2])}
+        columns.update((name, np.ascontiguousarray(records[name])) for name in self.wanted.names)
+        columns[_pvtp.IDS] = np.ascontiguousarray(records["id"])
+        return _pvtp.Piece(np.ascontiguousarray(records["xyz"]), columns, corners)

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a run will take, said and compared with what there is before hours are spent."""
+
+from __future__ import annotations
+
+import math
+import os
+import shutil
+from dataclasses import dataclass
+from typing import Dict, NamedTuple, Optional, Tuple
+
+import numpy as np
+
+from .._interface import available_memory
+from ._errors import NoRoom
+from ._finish import CELLS
+from ._points import Counted
+
+# Measured, as are the times (seconds a point or cell on one core); Filters/Python/tiles/README.md has the table.
+_BASE = 120e6  # bytes: Python, libraries, a chunk of points that is read
+_LEAF = 250.0  # bytes for each point of a leaf that a thread is at work on
+_CELL = 22.0  # and for each of its cells
+_PIECE = 190.0  # and for each point of a piece of a TIN
+_SHARE = 300.0  # bytes of borders and shares for each sqrt(points) of a leaf
+_SCATTER, _VISIT, _FINISH, _TIN = 80e-9, 180e-9, 200e-9, 900e-9
+_CELLS = {"linear": 60e-9, "natural": 450e-9, "laplace": 450e-9, "nearest": 150e-9}
+_TIFF = 60e-9
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What a run will take, once the points are counted.
+
+    Attributes
+    ----------
+    points, not_finite, other_class : int
+        Points that the surface is made of, and those left out.
+    leaves : int
+        How many boxes the points are divided into.
+    shape : (rows, columns) or None
+        Of the raster.
+    memory, disk, output : int
+        Bytes at the most: of memory; of the work folder; of the results (uncompressed cells, a usual TIN).
+    seconds : float
+        Of all steps after counting.
+    threads : int
+    """
+
+    points: int
+    not_finite: int
+    other_class: int
+    leaves: int
+    shape: Optional[Tuple[int, int]]
+    memory: int
+    disk: int
+    output: int
+    seconds: float
+    threads: int
+    steps: Dict[str, float]  #: seconds of each
+
+    def __str__(self) -> str:
+        left_out = ["%s %s" % (_grouped(n), what) for n, what in (
+            (self.not_finite, "not finite"), (self.other_class, "of other classes")) if n]  # fmt: skip
+        cells = "" if self.shape is None else "raster   %s x %s cells\n" % tuple(map(_grouped, self.shape[::-1]))
+        return ("points   %s%s\nleaves   %s\n%smemory   %s\ndisk     %s for the work, up to %s for the results\n"
+                "time     %s on %d thread%s" % (
+                    _grouped(self.points), " (left out: %s)" % ", ".join(left_out) if left_out else "",
+                    _grouped(self.leaves), cells, bytes_said(self.memory), bytes_said(self.disk),
+                    bytes_said(self.output), time_said(self.seconds), self.threads,
+                    "s" * (self.threads > 1)))  # fmt: skip
+
+
+class Kind(NamedTuple):
+    """What of a run its cost depends on."""
+
+    method: str
+    dtype: str
+    record: int  #: bytes of a point
+    piece: int  #: points of a piece of a TIN; 0: there is none
+
+
+def planned(
+    counted: Counted, counts: np.ndarray, shape: Optional[Tuple[int, int]], kind: Kind, read: float, threads: int
+) -> Plan:  # fmt: skip
+    """`counts`: points of each leaf; `read`: seconds of one pass over all files."""
+    points, leaves, most = counted.points, len(counts), int(counts.max())
+    cells = shape[0] * shape[1] if shape else 0
+    width = 8 if kind.dtype == "float64" else 4
+    tin, at_once, borders = points * (kind.piece > 0), min(threads, leaves), float(_SHARE * np.sqrt(counts).sum())
+    work = _LEAF * most + _CELL * min(CELLS, cells / leaves) + _PIECE * min(tin, max(most, 1.5 * kind.piece))
+    memory = _BASE + at_once * work + borders / math.sqrt(leaves)
+    steps = {"scatter": read + _SCATTER * points, "visit": _VISIT * points / at_once,
+             "finish": (_FINISH * points + _TIN * tin + _CELLS[kind.method] * cells) / at_once,
+             "write": _TIFF * cells}  # fmt: skip
+    return Plan(points, counted.not_finite, counted.other_class, leaves, shape, int(memory),
+                int(points * kind.record + borders + width * cells), int(32 * tin + width * cells),
+                sum(steps.values()), threads, steps)  # fmt: skip
+
+
+def limit(memory: Optional[int]) -> int:
+    """Bytes that may be taken. `memory`: what the caller allows."""
+    return min(memory or 1 << 62, available_memory())
+
+
+def check(plan: Plan, memory: Optional[int], work: str, output: str, used: int) -> None:
+    """NoRoom. `used`: bytes of the work folder that are there already."""
+    most = limit(memory)
+    if plan.memory > most:
+        raise NoRoom("%s of memory are needed, and %s are %s" % (
+            bytes_said(plan.memory), bytes_said(most), "allowed" if most == memory else "available"))  # fmt: skip
+    isSame = os.stat(_existing(work)).st_dev == os.stat(_existing(output)).st_dev
+    left = max(0, plan.disk - used)
+    for folder, needed in ((work, left + plan.output * isSame), (output, plan.output)):
+        free = shutil.disk_usage(_existing(folder)).free
+        if needed > free:
+            raise NoRoom("%s on the disk of %s are needed, and %s are free" % (
+                bytes_said(needed), folder, bytes_said(free)))  # fmt: skip
+
+
+def _existing(path: str) -> str:
+    """The folder, or the first above it that is there."""
+    path = os.path.abspath(path)
+    while not os.path.isdir(path):
+        path = os.path.dirname(path)
+    return path
+
+
+def bytes_of(text: str) -> int:
+    """Of "8 GB", "500MB", "4e9". ValueError."""
+    words = text.strip().upper().replace("IB", "B").rstrip("B").strip()
+    factor = {"K": 1e3, "M": 1e6, "G": 1e9, "T": 1e12}.get(words[-1:], 1.0)
+    return int(float(words.rstrip("KMGT")) * factor)
+
+
+def bytes_said(count: float) -> str:
+    for unit in ("bytes", "kB", "MB", "GB"):
+        if abs(count) < 999.5:
+            return "%.3g %s" % (count, unit)
+        count /= 1000
+    return "%.3g TB" % count
+
+
+def time_said(seconds: float) -> str:
+    if seconds < 60:
+        return "%d s" % max(1, round(seconds))
+    minutes = round(seconds / 60)
+    return "%d min" % minutes if minutes < 120 else "%d h %d min" % divmod(minutes, 60)
+
+
+def _grouped(number: int) -> str:
+    return "{:,}".format(number)

@@ -1,0 +1,284 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A run from its options to its results. What is done is in the work folder, file by file; so a run goes on where one
+before ended, and the results are the same."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import shutil
+import time
+from typing import Any, Callable, Dict, List, Optional, Sequence, cast
+
+import numpy as np
+
+from .. import _interface
+from .._raster import Raster
+from .._sampling import METHODS
+from . import _plan, _pvtp, _tiff
+from ._errors import BadFile, BadOptions
+from ._finish import Finish, Wanted, groups_of
+from ._leaves import Leaves
+from ._lines import chains_of
+from ._options import DUPLICATES, Options, Result, check_degrees
+from ._points import Counted, Points, count, records_of, scatter
+from ._store import PART, Store, failing, sync, written
+from ._work import Workers
+
+#: Is told the step ("count", "scatter", "visit", "finish", "write"), how much of it is done, 0 to 1, and the seconds
+#: that are left of all, None while they are not known.
+Progress = Callable[[str, float, Optional[float]], Any]
+
+
+COUNTED = "counted"  #: what the first step found: a line of JSON, then the plan of leaves
+
+
+class _Told:
+    """Of the work of one step."""
+
+    def __init__(self, progress: Optional[Progress]) -> None:
+        self.progress = progress
+        self.planned: Dict[str, float] = {}  # seconds of the steps, in their order
+        self.step, self.of, self.done = "", 1, 0
+        self._begin = self._first = 0.0
+
+    def begin(self, step: str, of: int, before: int = 0) -> None:
+        """`before`: what an earlier run has done."""
+        self.step, self.of, self.done = step, max(1, of), before
+        self._begin, self._first = time.monotonic(), before / self.of
+        self(0)
+
+    def __call__(self, more: int) -> None:
+        self.done += more
+        if self.progress is not None:
+            fraction = min(1.0, self.done / self.of)
+            self.progress(self.step, fraction, self._left(fraction))
+
+    def _left(self, fraction: float) -> Optional[float]:
+        if self.step not in self.planned:
+            return None
+        later = list(self.planned)[list(self.planned).index(self.step) + 1 :]
+        whole = self.planned[self.step]
+        if fraction - self._first > 0.05:  # as it goes, not as it was planned
+            whole = (time.monotonic() - self._begin) / (fraction - self._first)
+        return (1 - fraction) * whole + sum(self.planned[step] for step in later)
+
+
+class Run:
+    def __init__(self, options: Options, progress: Optional[Progress], show: Callable[[_plan.Plan], Any]) -> None:
+        """`show`: is given the plan. BadOptions."""
+        options.check()
+        self.options, self.show, self.begin = options, show, time.monotonic()
+        self.tell = _Told(progress)
+        self.files, self.raster = options.files_found(), cast(Optional[Raster], None)
+        self.store = Store(options.work or options.outputs[0] + ".work")
+        self.folder = os.path.splitext(os.path.abspath(options.tin))[0] if options.tin else None  # of the pieces
+        chains = chains_of(options.lines, options.loops)
+        self.points = Points(self.files, options.classes, options.raster is not None, options.tin is not None, chains)
+        threads = options.threads or _interface.threads_told() or _interface.processors()
+        self.threads = self.points.threads = min(threads, 256)
+
+    def run(self) -> Result:
+        options, points = self.options, self.points
+        points.look(options.skip_bad, options.raster is not None and options.raster.crs is not None)
+        self._check_some()
+        crs = None if options.raster is None else options.raster.crs if options.raster.crs is not None else points.crs
+        self.system = _tiff.system(crs) if options.raster else None
+        self._check_outputs()
+        self.store.begin(self.files, self._settings(), options.resume)
+        leaves = Leaves()
+        try:
+            counted = self._count(leaves)
+        except BaseException:
+            if not self.store.has(COUNTED):
+                self.store.end()
+            raise
+        self.plan = leaves.plan()
+        planned = self._planned(counted)
+        self.show(planned)
+        self._check_room(planned)
+        if not options.plan_only:
+            self._make(leaves, counted, planned)
+        outputs = [] if options.plan_only else options.outputs
+        return Result(planned, outputs, points.skipped, time.monotonic() - self.begin)
+
+    # --- before the work ---
+
+    def _check_some(self) -> None:
+        if not self.points.paths:
+            path, said = next(iter(self.points.skipped.items()))
+            raise BadFile(path, "no file is left: " + said)
+
+    def _check_outputs(self) -> None:
+        options = self.options
+        there = [path for path in [*options.outputs, *([self.folder] if self.folder else [])] if os.path.exists(path)]
+        isBegun = options.resume and self.store.has("manifest.json")
+        if there and not (options.overwrite or isBegun or options.plan_only):
+            raise BadOptions("%s is there already: --overwrite replaces it" % there[0])
+        for path in options.outputs:
+            if not os.path.isdir(os.path.dirname(os.path.abspath(path))):
+                raise BadOptions("%s: there is no such folder" % path)
+
+    def _settings(self) -> Dict[str, Any]:
+        """For the manifest."""
+        chains, sha = self.points.chains, hashlib.sha256()
+        for one in (chains.points, chains.offsets, np.array([chains.lines])):
+            sha.update(one.tobytes())
+        return {**self.options.settings(), "chains": sha.hexdigest()}
+
+    def _extent(self, bounds: Any) -> Optional[Sequence[float]]:
+        """The centres of the cells, over points with these bounds."""
+        if self.options.raster is None:
+            return None
+        self.raster = raster = self.options.raster.over(bounds)
+        check_degrees(raster, bounds, self.system)
+        (x, y), (dx, dy), (rows, columns) = raster.origin, raster.spacing, raster.shape
+        return x, x + (columns - 1) * dx, y, y + (rows - 1) * dy
+
+    def _count(self, leaves: Leaves) -> Counted:
+        """The plan of leaves, in `leaves`, of this run or one before."""
+        if self.store.has(COUNTED):
+            with open(self.store.path(COUNTED), "rb") as file:
+                saved = json.loads(file.readline())
+                plan = np.frombuffer(file.read(), np.uint8)
+            self.points.paths, self.points.skipped, self.read = saved["paths"], saved["skipped"], saved["read"]
+            counted = Counted(*saved["counted"])
+            self._extent(counted.bounds)
+            leaves.load(plan)
+            return counted
+        self.tell.begin("count", self.points.said)
+        begin = time.monotonic()
+        counted = count(self.points, leaves, self.options.leaf, self._extent, self.options.skip_bad, self.tell)
+        self.read = (time.monotonic() - begin) / counted.passes
+        with written(self.store.path(COUNTED)) as file:
+            file.write(json.dumps({"counted": counted, "paths": self.points.paths, "read": self.read,
+                                   "skipped": self.points.skipped}).encode() + b"\n")  # fmt: skip
+            file.write(leaves.plan().saved.tobytes())
+        return counted
+
+    def _planned(self, counted: Counted) -> _plan.Plan:
+        """With as many threads as there is memory for, one at least."""
+        given, shape = self.options.raster, None if self.raster is None else self.raster.shape
+        kind = _plan.Kind(given.method if given else "linear", given.dtype if given else "float32",
+                          self.points.kind.itemsize, self.options.piece if self.folder else 0)  # fmt: skip
+        made: Optional[_plan.Plan] = None
+        for threads in range(self.threads, 0, -1):
+            made = _plan.planned(counted, self.plan.counts, shape, kind, self.read, threads)
+            if made.memory <= _plan.limit(self.options.memory):
+                break
+        assert made is not None
+        self.threads = made.threads
+        self.tell.planned = made.steps
+        return made
+
+    def _check_room(self, planned: _plan.Plan) -> None:
+        used = 0
+        for at, _, names in os.walk(self.store.folder):
+            used += sum(os.path.getsize(os.path.join(at, name)) for name in names)
+        output = os.path.dirname(os.path.abspath(self.options.outputs[0]))
+        _plan.check(planned, self.options.memory, self.store.folder, output, used)
+
+    # --- the work ---
+
+    def _make(self, leaves: Leaves, counted: Counted, planned: _plan.Plan) -> None:
+        self.tell.begin("scatter", self.points.said)
+        scatter(self.points, leaves, self.store, self.tell)
+        raster, cells, count_ = self.options.raster, self.raster, len(self.plan.counts)
+        windows = [leaves.cells(leaf, cells) for leaf in range(count_)] if cells else []
+        wanted = Wanted(cells, windows, METHODS.index(raster.method) if raster else 0,
+                        raster.dtype if raster else "float32", self.folder and self.folder + PART,
+                        tuple(counted.fields), self._has_lines())  # fmt: skip
+        finish = Finish(self.store, self.plan, self.points.kind, wanted)
+        threads = max(1, min(self.threads, count_))
+        workers = Workers(threads, self.plan.saved, {
+            "duplicates": DUPLICATES[self.options.duplicates], "threads": max(1, self.threads // threads),
+            "maximum_edge_length": self.options.longest_edge})  # fmt: skip
+        self._visit(workers)
+        groups = self._finish(workers, finish)
+        self._write(finish, groups)
+        self.store.end()
+
+    def _has_lines(self) -> bool:
+        return len(self.points.chains.points) > 0
+
+    def _visit(self, workers: Workers) -> None:
+        """Borders of the leaves, and of nodes as soon as their parts are done."""
+        store, plan, hasLines = self.store, self.plan, self._has_lines()
+        count_, parents = len(plan.counts), plan.parents.tolist()
+        parts: Dict[int, List[int]] = {}
+        for part, parent in enumerate(parents):
+            parts.setdefault(parent, []).append(part)
+
+        def is_done(part: int) -> bool:
+            has = store.has("share", str(part)) if part >= count_ else store.has("border", str(part))
+            return has or (parents[part] >= 0 and is_done(parents[part]))
+
+        done = set(filter(is_done, range(len(parents))))
+
+        def can_begin(node: int) -> bool:
+            return node >= 0 and node not in done and done.issuperset(parts[node])
+
+        def work(leaves: Leaves, part: int) -> None:
+            if part < count_:
+                xyz = np.ascontiguousarray(records_of(store, part, self.points.kind)["xyz"])
+                border, own = leaves.visit(part, xyz)
+                if hasLines:
+                    store.save_bytes("own", str(part), own)
+                store.save_bytes("border", str(part), border)
+                return
+            border, share = leaves.merge(part, [store.load_bytes("border", str(one)) for one in parts[part]])
+            store.save_bytes("border", str(part), border)
+            store.save_bytes("share", str(part), share)
+
+        def ended(part: int) -> List[int]:
+            done.add(part)
+            if part >= count_:
+                for one in parts[part]:
+                    store.remove("border", str(one))
+            self.tell(1)
+            return [parents[part]] if can_begin(parents[part]) else []
+
+        self.tell.begin("visit", len(parents), len(done))
+        first = [node for node in range(count_, len(parents)) if can_begin(node)]
+        workers.run([*first, *(leaf for leaf in range(count_) if leaf not in done)], work, ended)
+
+    def _finish(self, workers: Workers, finish: Finish) -> List[range]:
+        groups = groups_of(self.plan, self.options.piece if self.folder else 0)
+        if self.store.has("finished.json"):  # pieces may have been renamed
+            return groups
+        if finish.wanted.pieces is not None:
+            with failing(finish.wanted.pieces):
+                os.makedirs(finish.wanted.pieces, exist_ok=True)
+        left = [group for group in groups if not finish.is_done(group)]
+        self.tell.begin("finish", len(groups), len(groups) - len(left))
+
+        def ended(group: range) -> List[range]:
+            self.tell(1)
+            return []
+
+        workers.run(left, finish.work, ended)
+        self.store.save("finished.json", len(groups))
+        return groups
+
+    def _write(self, finish: Finish, groups: Sequence[range]) -> None:
+        raster, wanted = self.options.raster, finish.wanted
+        self.tell.begin("write", 1)
+        if raster is not None and self.raster is not None:
+            nodata = float(np.dtype(raster.dtype).type(raster.nodata))
+            mosaic = _tiff.Mosaic(self.store, self.raster, wanted.windows, raster.dtype, nodata)
+            _tiff.write(os.fspath(raster.path), mosaic, self.raster, self.system)
+        if self.folder is not None and self.options.tin is not None:
+            self._write_tin(finish, groups)
+        self.tell(1)
+
+    def _write_tin(self, finish: Finish, groups: Sequence[range]) -> None:
+        """The folder of pieces gets its name, and then there is the file that lists them."""
+        assert self.folder is not None and self.options.tin is not None and finish.wanted.pieces is not None
+        with failing(self.folder):
+            if os.path.isdir(finish.wanted.pieces):
+                shutil.rmtree(self.folder, ignore_errors=True)
+                os.replace(finish.wanted.pieces, self.folder)
+                sync(os.path.dirname(self.folder))
+        names = ["%s/%d.vtp" % (os.path.basename(self.folder), group[0]) for group in groups]
+        _pvtp.write_list(self.options.tin, names, finish.kinds())

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The work folder: files that are there whole or not at all, so that a run that ended at any moment can go on.
+
+A file is written under another name, closed, on the disk, and renamed; then its folder is. What is there is done, what
+ends in ".part" is not. `manifest.json` says of which files and settings the folder is.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import os
+import shutil
+from typing import Any, Dict, IO, Iterator, Sequence
+
+import numpy as np
+
+from ._errors import BadOptions, WriteFailed
+
+PART = ".part"
+STARTED = "scatter.json"  #: of a run that has done more than count
+
+
+def sync(path: str) -> None:
+    """Has the disk what was written to a file or, where the system can be asked, renamed in a folder?"""
+    isFolder = os.path.isdir(path)
+    if isFolder and os.name == "nt":
+        return
+    handle = os.open(path, os.O_RDONLY if isFolder else os.O_RDWR)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+@contextlib.contextmanager
+def written(path: str) -> Iterator[IO[bytes]]:
+    """A file that is at `path` once it is whole. WriteFailed, with nothing there."""
+    made = path + PART
+    try:
+        with open(made, "wb") as file:
+            yield file
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(made, path)
+        sync(os.path.dirname(path) or ".")
+    except BaseException as error:
+        with contextlib.suppress(OSError):
+            os.remove(made)
+        if isinstance(error, OSError) and not isinstance(error, WriteFailed):
+            raise WriteFailed("%s cannot be written: %s" % (path, error.strerror or error)) from error
+        raise
+
+
+def hash_of(value: Any) -> str:
+    return hashlib.sha256(json.dumps(value, sort_keys=True).encode()).hexdigest()
+
+
+class Store:
+    """The folder, and what is in it by name."""
+
+    def __init__(self, folder: str) -> None:
+        self.folder = os.path.abspath(folder)
+
+    def path(self, *names: str) -> str:
+        return os.path.join(self.folder, *names)
+
+    def begin(self, inputs: Sequence[str], settings: Dict[str, Any], resume: bool) -> None:
+        """Makes the folder, or goes on with it if it is of these inputs and settings. BadOptions, WriteFailed."""
+        stats = [(os.path.abspath(path), os.stat(path).st_size, os.stat(path).st_mtime_ns) for path in inputs]
+        key = hash_of([stats, settings])
+        if self.has("manifest.json"):
+            isSame = self.load("manifest.json")["key"] == key
+            if isSame and (resume or not self.has(STARTED)):
+                return
+            if isSame:
+                raise BadOptions("%s has the work of a run that did not end: go on with --resume, or remove it" % (
+                    self.folder,))  # fmt: skip
+            if self.has(STARTED):
+                raise BadOptions("%s has the work of a run of other files (names, sizes, times) or settings: remove "
+                                 "it, or name another folder with --work" % self.folder)  # fmt: skip
+            self.end()  # another plan, no more
+        if os.path.isdir(self.folder) and os.listdir(self.folder):
+            raise BadOptions("%s is no folder of a run, and is not empty: name another with --work" % self.folder)
+        with failing(self.folder):
+            for name in ("", "leaf", "border", "own", "share", "cells"):
+                os.makedirs(self.path(name), exist_ok=True)
+        self.save("manifest.json", {"key": key, "settings": settings, "inputs": [path for path, _, _ in stats]})
+
+    def has(self, *names: str) -> bool:
+        return os.path.exists(self.path(*names))
+
+    def load(self, *names: str) -> Any:
+        with open(self.path(*names), encoding="utf-8") as file:
+            return json.load(file)
+
+    def save(self, name: str, value: Any) -> None:
+        with written(self.path(name)) as file:
+            file.write(json.dumps(value).encode())
+
+    def save_bytes(self, folder: str, name: str, array: np.ndarray) -> None:
+        with written(self.path(folder, name)) as file:
+            file.write(memoryview(array))  # type: ignore[arg-type]
+
+    def load_bytes(self, folder: str, name: str) -> np.ndarray:
+        """In the file, where there are any."""
+        path = self.path(folder, name)
+        return np.memmap(path, np.uint8, "r") if os.path.getsize(path) else np.empty(0, np.uint8)
+
+    def remove(self, *names: str) -> None:
+        with contextlib.suppress(FileNotFoundError):
+            os.remove(self.path(*names))
+
+    def end(self) -> None:
+        """The work is done: nothing of the folder is left."""
+        self.remove("manifest.json")  # first, so that a half-removed folder is no run's
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+
+@contextlib.contextmanager
+def failing(path: str) -> Iterator[None]:
+    """OSErrors of the block are WriteFailed, with the path."""
+    try:
+        yield
+    except WriteFailed:
+        raise
+    except OSError as error:
+        raise WriteFailed("%s cannot be written: %s" % (error.filename or path, error.strerror or error)) from error

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tiles give the bytes of one piece: triangles, rasters of every method, whatever the leaves, the threads, the memory
+and, for rasters, the order of the files."""
+
+import unittest
+import warnings
+
+import numpy as np
+from adaptivehilbertdelaunay import Raster
+from tilesupport import (
+    TilesTest, bytes_of, hash_of, kinds, needs_raster, one_piece, pieces_of, raster_of, read_piece, tiles,
+    triangles_of,
+)  # fmt: skip
+
+COUNT = 1500
+
+
+class TriangleTest(TilesTest):
+    def test_are_those_of_one_piece(self):
+        for name, points in kinds(COUNT):
+            path = self.saved(points)
+            for leaf, threads in ((10**6, 1), (300, 1), (300, 2), (16 if name == "uniform" else 100, 2)):
+                with self.subTest(points=name, leaf=leaf, threads=threads):
+                    tiles.make([path], tin=self.at("tin.pvtp"), leaf=leaf, threads=threads, overwrite=True)
+                    self.assert_is_one_piece(points, self.at("tin.pvtp"))
+
+    def test_pieces_are_one_surface(self):
+        """Merged by global ids all edges have two triangles, but for the hull's; places and data go with the ids."""
+        points = next(points for name, points in kinds(COUNT) if name == "rounded")
+        tiles.make([self.saved(points)], tin=self.at("tin.pvtp"), leaf=100, piece=200)
+        self.assertGreater(len(pieces_of(self.at("tin.pvtp"))), 5)
+        for piece in pieces_of(self.at("tin.pvtp")):
+            places, data, _ = read_piece(piece)
+            np.testing.assert_array_equal(places, points[data["GlobalPointIds"]])
+            np.testing.assert_array_equal(data["z"], places[:, 2])
+            self.assertEqual(len(set(data["GlobalPointIds"].tolist())), len(places))
+        triangles = triangles_of(self.at("tin.pvtp"))
+        edges = np.sort(np.concatenate([triangles[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
+        _, counts = np.unique(edges, axis=0, return_counts=True)
+        self.assertEqual(int((counts == 1).sum()), len(one_piece(points).hull))
+        self.assertLessEqual(counts.max(), 2)
+        self.assert_is_one_piece(points, self.at("tin.pvtp"))
+
+    def test_files_in_another_order(self):
+        """The same triangles; ids are those of the files as they come."""
+        points = next(points for name, points in kinds(COUNT) if name == "uniform")
+        halves = points[:700], points[700:]
+        found = []
+        for order in ((0, 1), (1, 0)):
+            files = [self.saved(halves[k], "%d.npy" % k) for k in order]
+            tiles.make(files, tin=self.at("tin.pvtp"), leaf=100, overwrite=True)
+            given = np.concatenate([halves[k] for k in order])
+            found.append(given[triangles_of(self.at("tin.pvtp"))])
+        np.testing.assert_array_equal(*found)
+
+    def test_ids_count_points_that_are_left_out(self):
+        points = next(points for name, points in kinds(COUNT) if name == "uniform")
+        points[::7, 0], points[3::70, 2] = np.nan, np.inf
+        made = tiles.make([self.saved(points)], tin=self.at("tin.pvtp"), leaf=100)
+        isBad = ~np.isfinite(points).all(axis=1)
+        self.assertEqual((made.plan.points, made.plan.not_finite), (int((~isBad).sum()), int(isBad.sum())))
+        points[isBad] = np.nan
+        self.assert_is_one_piece(points, self.at("tin.pvtp"))
+
+
+@needs_raster
+class RasterTest(TilesTest):
+    def setUp(self):
+        super().setUp()
+        self.points = next(points for name, points in kinds(COUNT) if name == "uniform")
+        self.points[50:90, :2] = self.points[:40, :2]  # the lowest counts
+        self.path = self.saved(self.points)
+
+    def one_piece(self, raster, method="linear", points=None, **settings):
+        points = self.points if points is None else points
+        made = one_piece(points, **settings)
+        cells = raster if isinstance(raster, Raster) else made.raster(raster)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of points nearly on a line, where no cell is
+            return made.interpolate(points[:, 2], cells, method)[::-1]
+
+    def test_no_byte_differs(self):
+        for method in ("linear", "natural", "laplace", "nearest"):
+            for longest in (0.0, 4.0) if method != "nearest" else (0.0,):
+                want = self.one_piece(1.3, method, maximum_edge_length=longest)
+                for leaf, threads in ((10**6, 1), (150, 2)):
+                    with self.subTest(method=method, longest=longest, leaf=leaf):
+                        tiles.make([self.path], raster=tiles.GeoTiff(self.at("a.tif"), 1.3, method, dtype="float64"),
+                                   leaf=leaf, threads=threads, longest_edge=longest, overwrite=True)  # fmt: skip
+                        values, _ = raster_of(self.at("a.tif"))
+                        self.assertEqual(hash_of(values), hash_of(want))
+
+    def test_of_all_kinds_of_points(self):
+        for name, points in kinds(COUNT):
+            with self.subTest(points=name):
+                cell = float(points[:, :2].ptp(axis=0).max() if hasattr(points, "ptp") else
+                             np.ptp(points[:, :2], axis=0).max()) / 50  # fmt: skip
+                path = self.saved(points, "kind.npy")
+                tiles.make([path], raster=tiles.GeoTiff(self.at("a.tif"), cell), leaf=100, overwrite=True)
+                want = self.one_piece(cell, points=points).astype(np.float32)
+                self.assertEqual(hash_of(raster_of(self.at("a.tif"))[0]), hash_of(want))
+
+    def test_the_same_file_whatever_leaves_threads_memory_and_order(self):
+        halves = [self.saved(self.points[:700], "a.npy"), self.saved(self.points[700:], "b.npy")]
+        found = set()
+        for files, leaf, threads, memory in (
+            ([self.path], 10**6, 1, None), ([self.path], 100, 2, "2 GB"), (halves, 333, 2, None),
+            (halves[::-1], 64, 1, "1.5e9")):  # fmt: skip
+            tiles.make(files, raster=tiles.GeoTiff(self.at("a.tif"), 0.1), leaf=leaf, threads=threads, memory=memory,
+                       overwrite=True)  # fmt: skip
+            found.add(bytes_of(self.at("a.tif")))
+        self.assertEqual(len(found), 1)
+
+    def test_place_values_and_kind_of_the_file(self):
+        given = tiles.GeoTiff(self.at("a.tif"), (2, 3), bounds=(-11, 120, -5, 50), align=True, nodata=-9999,
+                              crs="EPSG:25832")  # fmt: skip
+        tiles.make([self.path], raster=given, leaf=200)
+        values, place = raster_of(self.at("a.tif"))
+        cells = Raster((-11, -4.5), (2, 3), (19, 66))  # centres of cells at multiples of 2 and 3
+        want = self.one_piece(cells)
+        self.assertEqual(place, (-12, 2, 0, 51, 0, -3))
+        np.testing.assert_array_equal(values, np.where(np.isnan(want), -9999, want).astype(np.float32))
+        with open(self.at("a.tif"), "rb") as file:
+            self.assertEqual(file.read(4), b"II+\0")  # BigTIFF
+
+    def test_beside_a_tin(self):
+        tiles.make([self.path], raster=tiles.GeoTiff(self.at("a.tif"), 1.0), tin=self.at("a.pvtp"), leaf=100)
+        self.assertEqual(hash_of(raster_of(self.at("a.tif"))[0]), hash_of(self.one_piece(1.0).astype(np.float32)))
+        self.assert_is_one_piece(self.points, self.at("a.pvtp"))
+
+
+if __name__ == "__main__":
+    unittest.main()

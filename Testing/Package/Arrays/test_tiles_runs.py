@@ -1,0 +1,290 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs of tiles that end early go on and give the same bytes; bad files, full disks and questions without a surface are
+told, with exit codes, and nothing is left half written."""
+
+import io
+import os
+import signal
+import subprocess
+import sys
+import unittest
+import unittest.mock
+
+import numpy as np
+from tilesupport import TilesTest, bytes_of, hash_of, kinds, needs_raster, raster_of, tiles
+
+from adaptivehilbertdelaunay.tiles import _command, _points, _read, _store
+
+POINTS = next(points for name, points in kinds(600) if name == "uniform")
+
+
+def killed_at(commit, words, isBefore):
+    """Runs the command in a child that is killed at this commit, just before or after. Returns whether it was."""
+    child = os.fork()
+    if child == 0:
+        left, replace = [commit], os.replace
+
+        def counted(*paths):
+            left[0] -= 1
+            if left[0] == 0 and isBefore:
+                os.kill(os.getpid(), signal.SIGKILL)
+            replace(*paths)
+            if left[0] == 0:
+                os.kill(os.getpid(), signal.SIGKILL)
+
+        os.replace, sys.stdout, sys.stderr = counted, io.StringIO(), io.StringIO()
+        code = 99
+        try:
+            code = _command.main(words)
+        finally:
+            os._exit(code)
+    _, status = os.waitpid(child, 0)
+    if not os.WIFSIGNALED(status):
+        assert os.WEXITSTATUS(status) == 0, status
+    return os.WIFSIGNALED(status)
+
+
+class ResumeTest(TilesTest):
+    def setUp(self):
+        super().setUp()
+        self.path = self.saved(POINTS)
+
+    def words(self, *more):
+        return [self.path, "--tin", self.at("a.pvtp"), "--leaf", "100", *more]
+
+    @unittest.skipUnless(hasattr(os, "fork"), "no fork()")
+    def test_killed_at_every_commit(self):
+        self.assertEqual(self.command(*self.words())[0], 0)
+        want = bytes_of(self.at("a.pvtp"))
+        with unittest.mock.patch.object(_points, "COMMIT", 100), unittest.mock.patch.object(_read, "ROWS", 100):
+            for step, isBefore in ((2, False), (3, True), (4, False), (7, True)):  # files: two of some tasks
+                words, commits = self.words("--overwrite", "--threads", "2"), 0
+                while killed_at(step, words, isBefore):
+                    words, commits = self.words("--resume"), commits + 1
+                    self.assertLess(commits, 200)
+                self.assertGreater(commits, 1)
+                self.assertEqual(bytes_of(self.at("a.pvtp")), want)
+                self.assertEqual(sorted(os.listdir(self.folder)), ["a", "a.pvtp", "points.npy"])
+
+    @needs_raster
+    @unittest.skipUnless(hasattr(os, "fork"), "no fork()")
+    def test_killed_with_a_raster(self):
+        words = [self.path, "--raster", self.at("a.tif"), "--cell", "0.5", "--leaf", "100"]
+        self.assertEqual(self.command(*words)[0], 0)
+        want, more = bytes_of(self.at("a.tif")), ["--overwrite"]
+        while killed_at(4, [*words, *more], False):
+            more = ["--resume"]
+        self.assertEqual(bytes_of(self.at("a.tif")), want)
+
+    def test_killed_while_points_go_to_leaves(self):
+        """Parts of files that no commit knows of are cut away."""
+        self.assertEqual(self.command(*self.words())[0], 0)
+        want, add = bytes_of(self.at("a.pvtp")), _points._commit
+        with unittest.mock.patch.object(_points, "COMMIT", 100), unittest.mock.patch.object(_read, "ROWS", 50):
+            with unittest.mock.patch.object(_points, "_commit", side_effect=[None, None, KeyboardInterrupt]):
+                code, said = self.command(*self.words("--overwrite"))
+            self.assertEqual((code, "--resume" in said), (130, True))
+            calls = []
+
+            def twice(*given):
+                calls.append(add(*given))
+                if len(calls) == 2:
+                    with open(_points._leaf_file(given[0], 0), "ab") as file:
+                        file.write(b"half a point")
+                    raise KeyboardInterrupt
+
+            with unittest.mock.patch.object(_points, "_commit", twice):
+                self.assertEqual(self.command(*self.words("--resume"))[0], 130)
+            self.assertEqual(self.command(*self.words("--resume"))[0], 0)
+        self.assertEqual(bytes_of(self.at("a.pvtp")), want)
+
+    def test_only_the_same_run_goes_on(self):
+        with unittest.mock.patch.object(tiles._run.Run, "_visit", side_effect=KeyboardInterrupt):
+            self.assertEqual(self.command(*self.words())[0], 130)
+        code, said = self.command(*self.words())
+        self.assertEqual((code, "go on with --resume" in said), (2, True))
+        code, said = self.command(*self.words("--resume", "--duplicates", "first"))
+        self.assertEqual((code, "other files" in said), (2, True))
+        os.utime(self.path, ns=(0, 0))
+        self.assertEqual(self.command(*self.words("--resume"))[0], 2)
+
+    def test_a_plan_counts_and_stops(self):
+        code, said = self.command(*self.words("--plan"))
+        self.assertEqual(code, 0)
+        self.assertRegex(said, r"points   600\nleaves   \d+\nmemory .*\ndisk .*\ntime ")
+        self.assertFalse(os.path.exists(self.at("a.pvtp")))
+        with unittest.mock.patch.object(tiles._run, "count", side_effect=AssertionError):  # it was
+            self.assertEqual(self.command(*self.words())[0], 0)
+        self.assert_is_one_piece(POINTS, self.at("a.pvtp"))
+
+    def test_progress(self):
+        told = []
+        tiles.make([self.path], tin=self.at("a.pvtp"), leaf=100, progress=lambda *words: told.append(words))
+        steps = [step for step, fraction, _ in told if fraction == 1]
+        self.assertEqual(list(dict.fromkeys(steps)), ["count", "scatter", "visit", "finish", "write"])
+        self.assertTrue(all(0 <= fraction <= 1 for _, fraction, _ in told))
+        self.assertTrue(all(left is None for step, _, left in told if step == "count"))
+        self.assertTrue(all(left >= 0 for step, _, left in told if step != "count"))
+
+
+class ErrorTest(TilesTest):
+    def fails(self, code, said, *words):
+        """The command ends so, and leaves nothing but its input."""
+        before = sorted(os.listdir(self.folder))
+        found, text = self.command(*words)
+        self.assertEqual(found, code, text)
+        self.assertIn(said, text)
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+
+    def tin(self, *files):
+        return (*files, "--tin", self.at("a.pvtp"))
+
+    def test_files(self):
+        good = self.saved(POINTS)
+        with open(good, "rb") as file:
+            octets = file.read()
+        for name, data, said in (
+            ("short.npy", octets[: len(octets) // 2], "cannot be read"), ("no.npy", b"text", "cannot be read"),
+            ("no.csv", b"x;z\n1;2\n", "must have columns x and y"), ("letters.xyz", b"1 2 3\n4 five 6\n", "five"),
+            ("short.csv", b"x,y,z\n1,2,3\n4,5\n", "cannot be read"), ("a.doc", b"", "is none of .npy"),
+            ("folder.npy/x.doc", b"", "there are no files")):  # fmt: skip
+            os.makedirs(os.path.dirname(self.at(name)), exist_ok=True)
+            with open(self.at(name), "wb") as file:
+                file.write(data)
+            name = name.split("/")[0]
+            self.fails(2 if "folder" in name else 3, said, *self.tin(self.at(name)))
+            self.fails(2 if "folder" in name else 3, self.at(name), *self.tin(self.at(name)))
+        self.fails(3, "there is no such file", *self.tin(good, self.at("missing.npy")))
+        self.fails(3, "must be an array", *self.tin(self.saved(np.zeros((3, 7)), "wide.npy")))
+        self.fails(2, "named twice", *self.tin(good, good))
+        self.fails(3, "has no classes", *self.tin(good, "--class", "2"))
+
+    def test_bad_files_are_left_out_on_request(self):
+        good, bad = self.saved(POINTS), self.at("bad.xyz")
+        with open(bad, "w", encoding="ascii") as file:
+            file.write("1 2 3\n" * 50 + "half a")
+        self.fails(3, bad, *self.tin(bad, good))
+        code, said = self.command(*self.tin(bad, good), "--skip-bad")
+        self.assertEqual((code, "left out: " + bad in said), (0, True))
+        self.assert_is_one_piece(POINTS, self.at("a.pvtp"))
+
+    def test_no_surface(self):
+        nan = np.full((4, 3), np.nan)
+        line = np.outer(np.arange(500.0), (3, 1, 0))
+        for points, said in ((nan, "there is no point"), (POINTS[:1], "there is one point"),
+                             (line, "all 500 points lie on a line"), (POINTS[[0, 0, 0]], "at one place")):  # fmt: skip
+            self.fails(4, said, *self.tin(self.saved(points, "few.npy")))
+        line[400, 1] = np.nextafter(line[400, 1], 1e9)  # not quite
+        self.assertEqual(self.command(*self.tin(self.saved(line, "few.npy")))[0], 0)
+        self.assert_is_one_piece(line, self.at("a.pvtp"))
+
+    def test_options(self):
+        good = self.saved(POINTS)
+        self.fails(2, "nothing is asked for", good)
+        self.fails(2, "--raster and --cell go together", good, "--cell", "1")
+        self.fails(2, "a TIN is a .pvtp", good, "--tin", self.at("a.vtp"))
+        self.fails(2, "there is no such folder", good, "--tin", self.at("no", "a.pvtp"))
+        self.fails(2, "is no size", *self.tin(good), "--memory", "much")
+        self.fails(2, "longest_edge", *self.tin(good), "--longest-edge", "-1")
+        os.makedirs(self.at("full", "sub"))
+        self.fails(2, "is not empty", *self.tin(good), "--work", self.at("full"))
+        with open(self.at("a.pvtp"), "w", encoding="ascii"):
+            pass
+        self.fails(2, "is there already", *self.tin(good))
+
+    @needs_raster
+    def test_rasters(self):
+        good = self.saved(POINTS * (0.001, 0.001, 1))
+        raster = "--raster", self.at("a.tif"), "--cell"
+        self.fails(2, "seem to be degrees", good, *raster, "1")
+        degrees = "--crs", "EPSG:4326", "--bounds", "0", "9", "0", "9"
+        self.fails(2, "larger than makes sense", good, *raster, "0.2", *degrees)
+        self.fails(2, "crs: ", good, *raster, "0.001", "--crs", "EPSG:1")
+        self.fails(2, "raster: ", good, *raster, "0")
+        self.fails(3, "has no z", self.saved(POINTS[:, :2], "flat.npy"), *raster, "1")
+
+    def test_room(self):
+        path = self.saved(POINTS)
+        code, said = self.command(*self.tin(path), "--memory", "1MB")
+        self.assertEqual((code, "1 MB are allowed" in said), (5, True))
+        with unittest.mock.patch.object(tiles._plan.shutil, "disk_usage", return_value=unittest.mock.Mock(free=10**4)):
+            code, said = self.command(*self.tin(path))
+        self.assertEqual((code, "10 kB are free" in said), (5, True))
+        self.assertEqual(self.command(*self.tin(path))[0], 0)
+
+    @unittest.skipUnless(sys.platform == "linux" and os.geteuid() == 0, "who mounts a small disk must be root on Linux")
+    def test_a_full_disk(self):
+        """It is told; when there is room, the run goes on."""
+        disk = self.at("disk")
+        os.mkdir(disk)
+        mount = ["mount", "-t", "tmpfs", "-o", "size=16k", "tmpfs", disk]
+        if subprocess.run(mount, check=False, stderr=subprocess.DEVNULL).returncode:
+            self.skipTest("no disk can be mounted here")
+        self.addCleanup(subprocess.run, ["umount", "-l", disk], check=True)
+        words = [self.saved(POINTS), "--tin", os.path.join(disk, "a.pvtp"), "--leaf", "100"]
+        with unittest.mock.patch.object(tiles._plan, "check"):  # which would have said so before
+            for size in range(16, 2000, 16):  # kB
+                subprocess.run(["mount", "-o", "remount,size=%dk" % size, disk], check=True)
+                code, said = self.command(*words, "--resume")
+                if code == 0:
+                    break
+                self.assertEqual((code, "No space left" in said), (6, True), said)
+                self.assertFalse(os.path.exists(os.path.join(disk, "a.pvtp")))
+        self.assertEqual(code, 0)
+        self.assertGreater(size, 60)
+        self.assert_is_one_piece(POINTS, os.path.join(disk, "a.pvtp"))
+
+    @needs_raster
+    def test_a_raster_that_cannot_be_written(self):
+        """The file that was there stays."""
+        with open(self.at("a.tif"), "wb") as file:
+            file.write(b"before")
+        words = self.saved(POINTS), "--raster", self.at("a.tif"), "--cell", "1", "--overwrite"
+        with unittest.mock.patch.object(_store.os, "replace", wraps=os.replace) as replace:
+            replace.side_effect = lambda *paths: _refuse(paths, self.at("a.tif"))
+            code, said = self.command(*words)
+        self.assertEqual((code, "cannot be written" in said), (6, True))
+        self.assertEqual(bytes_of(self.at("a.tif")), b"before")
+        self.assertEqual(self.command(*words, "--resume")[0], 0)
+        self.assertEqual(raster_of(self.at("a.tif"))[0].shape, (60, 100))
+
+
+REPLACE = os.replace
+
+
+def _refuse(paths, path):
+    if paths[1] == path:
+        raise OSError(28, "No space left on device")
+    return REPLACE(*paths)
+
+
+class TextTest(TilesTest):
+    def test_layouts(self):
+        """The same points in each."""
+        rows = ["%r %r %r" % tuple(row) for row in POINTS.tolist()]
+        comma = [row.replace(" ", ",") for row in rows]
+        swapped = ["%r;%r;7;%r" % (z, y, x) for x, y, z in POINTS.tolist()]
+        found = set()
+        for name, head, lines in (
+            ("a.xyz", "", rows), ("b.csv", "x,y,z", comma), ("c.txt", "# made up\n", rows),
+            ("d.csv", 'height;"Northing";n;EASTING', swapped), ("e.csv", "", comma)):  # fmt: skip
+            with open(self.at(name), "w", encoding="utf-8") as file:
+                file.write("\n".join(([head] if head else []) + lines))
+            tiles.make([self.at(name)], tin=self.at("a.pvtp"), leaf=100, overwrite=True)
+            found.add(bytes_of(self.at("a.pvtp")))
+        self.assertEqual(len(found), 1)
+        self.assert_is_one_piece(POINTS, self.at("a.pvtp"))
+
+    def test_tables(self):
+        table = np.zeros(len(POINTS), [("z", "f4"), ("x", "f8"), ("y", "f8"), ("classification", "i4")])
+        table["x"], table["y"], table["classification"] = POINTS[:, 0], POINTS[:, 1], np.arange(len(POINTS)) % 3
+        made = tiles.make([self.saved(table)], tin=self.at("a.pvtp"), leaf=100, classes=[1, 2])
+        self.assertEqual((made.plan.points, made.plan.other_class), (400, 200))
+        kept = POINTS.copy()
+        kept[::3], kept[:, 2] = np.nan, 0
+        self.assert_is_one_piece(kept, self.at("a.pvtp"))
+        self.assertNotEqual(hash_of(kept), hash_of(POINTS))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tiles of .las, .laz and COPC files, read by laspy and lazrs, which are fetched from PyPI into a venv of its own.
+
+    with_las.py <folder of the venv>
+
+77 if PyPI is out of reach.
+"""
+
+import os
+import struct
+import subprocess
+import sys
+import unittest
+
+import numpy as np
+from tilesupport import TilesTest, kinds, needs_raster, raster_of, read_piece, tiles
+from with_scipy import reached
+
+from adaptivehilbertdelaunay.tiles import _read
+
+POINTS = np.round(next(points for name, points in kinds(900) if name == "uniform"), 2)
+CLASSES = np.arange(len(POINTS)) % 3
+WKT = ('PROJCS["ETRS89 / UTM zone 32N",GEOGCS["ETRS89",DATUM["European_Terrestrial_Reference_System_1989",'
+       'SPHEROID["GRS 1980",6378137,298.257222101]],PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]],'
+       'PROJECTION["Transverse_Mercator"],PARAMETER["latitude_of_origin",0],PARAMETER["central_meridian",9],'
+       'PARAMETER["scale_factor",0.9996],PARAMETER["false_easting",500000],PARAMETER["false_northing",0],'
+       'UNIT["metre",1],AUTHORITY["EPSG","25832"]]')  # fmt: skip
+
+
+class LasTest(TilesTest):
+    def las(self, name, rows=slice(None), scale=0.01, wkt=WKT):
+        import laspy
+
+        header = laspy.LasHeader(point_format=6, version="1.4")
+        header.scales = [scale] * 3
+        if wkt:
+            header.vlrs.append(laspy.vlrs.VLR("LASF_Projection", 2112, "", wkt.encode() + b"\0"))
+        made = laspy.LasData(header)
+        made.x, made.y, made.z = POINTS[rows].T
+        made.classification, made.intensity = CLASSES[rows], np.arange(len(POINTS))[rows]
+        made.write(self.at(name))
+        return self.at(name)
+
+    def places(self, *names):
+        """As laspy has them, the units of which are hundredths."""
+        return np.concatenate([chunk.xyz for name in names for chunk in _read.chunks_of(self.at(name))])
+
+    def test_triangles_and_data(self):
+        files = [self.las("a.las", slice(0, 500)), self.las("b.laz", slice(500, None))]
+        made = tiles.make(files, tin=self.at("a.pvtp"), classes=[1, 2], leaf=100)
+        self.assertEqual((made.plan.points, made.plan.other_class), (600, 300))
+        places = self.places("a.las", "b.laz")
+        np.testing.assert_allclose(places, POINTS, rtol=0, atol=1e-9)
+        kept = places.copy()
+        kept[CLASSES == 0] = np.nan
+        self.assert_is_one_piece(kept, self.at("a.pvtp"))
+        _, data, _ = read_piece(self.at("a", "0.vtp"))
+        np.testing.assert_array_equal(data["classification"], CLASSES[data["GlobalPointIds"]])
+        np.testing.assert_array_equal(data["intensity"], data["GlobalPointIds"])
+
+    @needs_raster
+    def test_the_reference_system_is_that_of_the_files(self):
+        import rasterio
+
+        tiles.make([self.las("a.laz")], raster=tiles.GeoTiff(self.at("a.tif"), 1), leaf=300)
+        with rasterio.open(self.at("a.tif")) as file:
+            self.assertEqual(file.crs.to_epsg(), 25832)
+        self.assertEqual(raster_of(self.at("a.tif"))[0].shape, (60, 100))
+
+    def test_one_pass_where_the_header_is_right(self):
+        from adaptivehilbertdelaunay.tiles import _points
+
+        passes, count = [], _points._count
+        _points._count = lambda *given: passes.append(count(*given)) or passes[-1]
+        self.addCleanup(setattr, _points, "_count", count)
+        tiles.make([self.las("a.laz")], tin=self.at("a.pvtp"))
+        tiles.make([self.las("a.laz")], tin=self.at("b.pvtp"), classes=[1])
+        self.assertEqual([one.passes for one in passes], [1, 2])
+
+    def refused(self, path, said):
+        with self.assertRaises(tiles.BadFile) as caught:
+            tiles.make([self.las("good.las"), path], tin=self.at("bad.pvtp"))
+        self.assertIn(path, str(caught.exception))
+        self.assertIn(said, str(caught.exception))
+        self.assertFalse(os.path.exists(self.at("bad.pvtp")))
+        made = tiles.make([self.at("good.las"), path], tin=self.at("a.pvtp"), skip_bad=True, overwrite=True)
+        self.assertEqual(list(made.skipped), [path])
+        self.assert_is_one_piece(self.places("good.las"), self.at("a.pvtp"))
+
+    def test_bad_files(self):
+        for name in ("a.las", "a.laz"):
+            with open(self.las(name), "rb") as file:
+                octets = file.read()
+            with open(self.at("short." + name), "wb") as file:
+                file.write(octets[:-2000])
+            self.refused(self.at("short." + name), "")
+        self.refused(self.las("scale.las", scale=0.001), "has the scale (0.001")
+        self.refused(self.las("system.las", wkt=WKT.replace("zone 32N", "zone 33N")), "has the reference system")
+
+    def test_headers_that_lie(self):
+        with open(self.las("a.las"), "rb") as file:
+            octets = bytearray(file.read())
+        for name, at, kind, value, said in (("bounds.las", 179, "<d", 50.0, "has points from"),
+                                            ("count.las", 247, "<Q", len(POINTS) - 9, "")):  # fmt: skip
+            lying = bytearray(octets)
+            struct.pack_into(kind, lying, at, value)
+            with open(self.at(name), "wb") as file:
+                file.write(lying)
+            if name == "bounds.las":
+                self.refused(self.at(name), said)
+            else:  # what is behind the points of a .las belongs to nobody
+                self.assertEqual(tiles.make([self.at(name)], tin=self.at("b.pvtp")).plan.points, len(POINTS) - 9)
+        struct.pack_into("<Q", octets, 247, len(POINTS) + 9)
+        with open(self.at("more.las"), "wb") as file:
+            file.write(octets)
+        self.refused(self.at("more.las"), "")
+
+
+def main():
+    needed = "import laspy, lazrs, rasterio, numpy"
+    python = reached(os.path.abspath(sys.argv[1]), needed, ("laspy[lazrs]", "rasterio"))
+    if python is None:
+        sys.exit(1 if os.environ.get("CI") == "true" else 77)
+    sys.exit(subprocess.run([python, __file__, "--here"], check=False).returncode)
+
+
+if __name__ == "__main__":
+    if "--here" in sys.argv:
+        sys.argv.remove("--here")
+        unittest.main()
+    main()
