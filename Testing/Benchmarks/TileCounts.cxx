@@ -159,9 +159,11 @@ private:
     const Stopwatch watch(times.deal);
     places_.resize(visits_->plan().leaves());
     ids_.resize(places_.size());
+    std::vector<std::int32_t> leaves(points.size());
+    visits_->plan().findLeaves(viewOf(points), 0, points.size(), leaves.data());
     for (std::size_t i = 0; i != points.size(); ++i)
     {
-      const auto leaf = std::size_t(visits_->plan().leafOf(points[i]));
+      const auto leaf = std::size_t(leaves[i]);
       places_[leaf].push_back(points[i]);
       ids_[leaf].push_back(std::int64_t(i));
     }
