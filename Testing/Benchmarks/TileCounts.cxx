@@ -182,14 +182,14 @@ private:
     {
       shares.push_back({ shares_[node].data(), shares_[node].size() });
     }
-    std::vector<TileSection> sections;
+    TileKept kept;
     TileOutput made, list;
     {
       const Stopwatch watch(times.triangles);
       const TileView own{ owns_[leaf].data(), owns_[leaf].size() };
-      require(visits_->readSections(leaf, shares, sections), "readSections()");
-      require(visits_->makeTriangles(pointsOf(leaf), { &own, &sections }, {}, made) == Status::Ok,
-        "makeTriangles()");
+      require(visits_->readKept(leaf, &own, shares, kept), "readKept()");
+      require(
+        visits_->makeTriangles(pointsOf(leaf), kept, {}, made) == Status::Ok, "makeTriangles()");
     }
     for (const std::int64_t id : made.triangles)
     {
@@ -198,7 +198,7 @@ private:
     triangles += made.edges.size();
     {
       const Stopwatch watch(times.lists);
-      require(visits_->makeList(leaf, sections, {}, list) == Status::Ok, "makeList()");
+      require(visits_->makeList(leaf, kept, {}, list) == Status::Ok, "makeList()");
     }
     listed += list.listIds.size();
     const Stopwatch watch(times.second);

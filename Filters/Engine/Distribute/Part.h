@@ -126,12 +126,22 @@ public:
   /// part of all blocks finishAll().
   void tellKept(std::size_t child, Kept& kept) const;
 
+  /// Numbers the connected pieces of the region that is final, here or below: each is kept, or not,
+  /// as a whole. @pre makeBorder()
+  bool findPieces(Ticker& ticker);
+  /// The piece on the left of each edge that was sent up; in all pieceCount().
+  std::vector<Index> piecesOfBorder() const;
+  std::size_t pieceCount() const { return pieceCount_; }
+  /// That on the left of each edge of a part below. @pre makeOf()
+  std::vector<Index> piecesBelow(std::size_t child) const;
+
   /// Lists the triangles that have become final here and are kept, by the blocks that own corners,
   /// from the row's first one.
   bool listOwned(const BlockRow& row, std::vector<OwnedTriangles>& owned, Ticker& ticker) const;
 
-  /// Calls visit(corners, flags) for those: places among given(), counterclockwise, and bit e if
-  /// the edge from corner e is a constraint.
+  /// Calls visit(corners, flags, piece) for those: the ids of points, numbers in the view that was
+  /// triangulated, counterclockwise; bit e if the edge from corner e is a constraint; 0 where
+  /// pieces are not numbered.
   template <typename Visit>
   bool eachFinal(Ticker& ticker, Visit visit) const;
   /// Calls visit(a, b) for each edge of the hull, which lies on its left: places among given().
@@ -144,6 +154,8 @@ public:
   /// are lost then.
   template <typename Id>
   bool writeFinal(Id* triples, Ticker& ticker);
+  /// The pieces of these, in the same order. @pre findPieces()
+  bool listPieces(std::vector<Index>& pieces, Ticker& ticker) const;
 
   bool hasTriangles() const { return slots_ != 0; }
   Triangulation& triangulation() { return made_; }
@@ -220,6 +232,8 @@ private:
   std::vector<Mesh::Halfedge> borderEdges_; ///< as they were sent up
   std::size_t finalTriangles_ = 0;
   bool isAnyDropped_ = false;
+  std::vector<Index> pieces_; ///< of each triangle of the mesh; empty before findPieces()
+  std::size_t pieceCount_ = 0;
 };
 
 /// Calls visit(slot) for all finite triangles.
@@ -257,7 +271,8 @@ bool Part::eachFinal(Ticker& ticker, Visit visit) const
       }
       if (isFinalAndKept(slot))
       {
-        visit(corners, static_cast<std::uint8_t>(flags));
+        const Index piece = pieces_.empty() ? 0 : pieces_[slot / Mesh::kSlotSize];
+        visit(corners, static_cast<std::uint8_t>(flags), piece);
       }
     });
 }

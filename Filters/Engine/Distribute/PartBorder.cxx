@@ -167,6 +167,60 @@ bool Part::takeKept(const Kept& kept, Ticker& ticker)
   return countFinal(ticker);
 }
 
+bool Part::findPieces(Ticker& ticker)
+{
+  pieces_.assign(slots_, kNoIndex);
+  std::vector<Mesh::Slot> open;
+  for (const Mesh::Halfedge edge : borderEdges_)
+  {
+    if (pieces_[edge / Mesh::kSlotSize] == kNoIndex)
+    {
+      pieces_[edge / Mesh::kSlotSize] = static_cast<Index>(pieceCount_);
+      open.push_back(Mesh::slotOf(edge));
+    }
+    while (!open.empty())
+    {
+      const Mesh::Slot slot = open.back();
+      open.pop_back();
+      for (Mesh::Halfedge h = slot; h != slot + 3; ++h)
+      {
+        Index& piece = pieces_[twin(h) / Mesh::kSlotSize];
+        if (isSettled(twin(h)) && piece == kNoIndex)
+        {
+          piece = static_cast<Index>(pieceCount_);
+          open.push_back(Mesh::slotOf(twin(h)));
+        }
+      }
+      if (!ticker.step())
+      {
+        return false;
+      }
+    }
+    pieceCount_ = std::max<std::size_t>(pieceCount_, pieces_[edge / Mesh::kSlotSize] + 1);
+  }
+  return ticker.ask();
+}
+
+std::vector<Index> Part::piecesOfBorder() const
+{
+  std::vector<Index> pieces;
+  for (const Mesh::Halfedge edge : borderEdges_)
+  {
+    pieces.push_back(pieces_[edge / Mesh::kSlotSize]);
+  }
+  return pieces;
+}
+
+std::vector<Index> Part::piecesBelow(std::size_t child) const
+{
+  std::vector<Index> pieces;
+  for (std::size_t i = firstEdge_[child]; i != firstEdge_[child + 1]; ++i)
+  {
+    pieces.push_back(pieces_[halfEdgesBelow_[i] / Mesh::kSlotSize]);
+  }
+  return pieces;
+}
+
 void Part::tellKept(std::size_t child, Kept& kept) const
 {
   kept.isAll = !isAnyDropped_ || !hasTriangles();
@@ -263,6 +317,23 @@ bool Part::listCorners(OwnedTriangles& some, Ticker& ticker) const
     }
   }
   return true;
+}
+
+bool Part::listPieces(std::vector<Index>& pieces, Ticker& ticker) const
+{
+  using Row = std::array<Index, 4>; // vertices from the lowest one, and the piece
+  std::vector<Row> rows;
+  const auto add = [&](Mesh::Slot slot)
+  {
+    if (isFinalAndKept(slot))
+    {
+      Row row{ { data_[slot], data_[slot + 1], data_[slot + 2], pieces_[slot / Mesh::kSlotSize] } };
+      std::rotate(row.begin(), std::min_element(row.begin(), row.begin() + 3), row.begin() + 3);
+      rows.push_back(row);
+    }
+  };
+  return eachSlot(ticker, add) && sortAsking(rows, ticker, std::less<Row>()) &&
+    inSteps(0, rows.size(), ticker, [&](std::size_t i) { pieces.push_back(rows[i][3]); });
 }
 
 template <typename Id>

@@ -33,6 +33,44 @@ ahd::GivenTile tileOf(uint64_t leaf, const ahd_array* points, const int64_t* ids
   return { leaf, ahd::arrayOf(*points), ids };
 }
 
+struct LineCounts
+{
+  uint64_t lines, chains;
+  int32_t rule;
+};
+
+ahd::TileLines linesOf(const double* xy, const int64_t* offsets, const LineCounts& counts)
+{
+  ahd::TileLines lines;
+  if (counts.chains == 0)
+  {
+    return lines;
+  }
+  mustHave(offsets, "offsets");
+  ahd::checkCount(counts.chains, "chains");
+  if (counts.lines > counts.chains || counts.rule < AHD_FILL_ORIENTATION ||
+    counts.rule > AHD_FILL_EVEN_ODD)
+  {
+    ahd::refuse(ahd::Reason::BadValue, "More lines than chains, or no rule to fill by.");
+  }
+  const uint64_t count = counts.chains + 1;
+  if (offsets[0] != 0 || !std::is_sorted(offsets, offsets + count))
+  {
+    ahd::refuse(ahd::Reason::BadArray, "The offsets of chains do not ascend from 0.");
+  }
+  const auto corners = uint64_t(offsets[counts.chains]);
+  mustHave(corners == 0 ? offsets : static_cast<const void*>(xy), "corners");
+  ahd::checkCount(corners, "corners");
+  for (uint64_t k = 0; k < corners; ++k)
+  {
+    lines.corners.push_back({ xy[2 * k], xy[2 * k + 1] });
+  }
+  lines.offsets.assign(offsets, offsets + count);
+  lines.lines = counts.lines;
+  lines.rule = uint64_t(counts.rule);
+  return lines;
+}
+
 ahd::Representative representativeOf(const ahd::Job& own)
 {
   const auto wished = ahd::Duplicates(own.settings[ahd::IntSetting::Duplicates]);
@@ -122,17 +160,8 @@ ahd_status ahd_tiles_lines(ahd_job* job, const double* xy, const int64_t* offset
   uint64_t chains, int32_t fill_rule)
 {
   return call(job,
-    [=](ahd::Job& own)
-    {
-      static_cast<void>(xy);
-      static_cast<void>(offsets);
-      static_cast<void>(lines);
-      static_cast<void>(fill_rule);
-      own.tiles().plan();
-      if (chains > 0)
-      {
-        ahd::refuse(ahd::Reason::NotAvailable, "Tiles have no lines and loops yet.");
-      }
+    [=](ahd::Job& own) {
+      own.tiles().setLines(linesOf(xy, offsets, { lines, chains, fill_rule }));
     });
 }
 
@@ -164,10 +193,9 @@ ahd_status ahd_tiles_triangles(ahd_job* job, uint64_t leaf, const ahd_array* poi
     [=](ahd::Job& own)
     {
       const ahd::GivenTile tile = tileOf(leaf, points, ids);
-      const auto given = bytesOf(shares, count);
-      const auto ownGiven = bytesOf(own_bytes, 1);
-      own.apart([&](const ahd::Context& context)
-        { own.tiles().makeTriangles(tile, ownGiven[0], given, context); });
+      const ahd::GivenKept kept{ bytesOf(own_bytes, 1)[0], bytesOf(shares, count) };
+      own.apart(
+        [&](const ahd::Context& context) { own.tiles().makeTriangles(tile, kept, context); });
     });
 }
 
@@ -187,10 +215,10 @@ ahd_status ahd_tiles_surface(ahd_job* job, uint64_t leaf, const ahd_array* point
   return call(job,
     [=](ahd::Job& own)
     {
-      tileOf(leaf, points, ids);
-      bytesOf(own_bytes, 1);
-      bytesOf(shares, count);
-      own.tiles().plan();
-      ahd::refuse(ahd::Reason::NotAvailable, "Tiles have no lines and loops yet.");
+      const ahd::GivenTile tile = tileOf(leaf, points, ids);
+      const ahd::GivenKept kept{ bytesOf(own_bytes, 1)[0], bytesOf(shares, count) };
+      const double longest = own.settings[ahd::DoubleSetting::MaximumEdgeLength];
+      own.apart([&](const ahd::Context& context)
+        { own.tiles().makeSurface(tile, kept, longest, context); });
     });
 }

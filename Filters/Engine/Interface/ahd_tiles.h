@@ -52,8 +52,9 @@
  * Its triangles whose first corner is one of the leaf's points are the leaf's, in their order; so
  * who needs this run anyway can do without ahd_tiles_triangles(). The others may be wrong. Limits
  * on size concern each triangle alone and may be set. Values: those of the list's points are the
- * caller's to find, by their ids. For AHD_OUTSIDE_BOUNDARY, for a trimmed rim, and, with loops, for
- * the nearest vertex, no list is enough.
+ * caller's to find, by their ids. With lines or loops give the run ahd_tiles_surface(), too. For
+ * AHD_OUTSIDE_BOUNDARY, for a trimmed rim, and, with lines or loops, for the nearest vertex, no
+ * list is enough. (Lines do not change which vertex is nearest: a plan without them has the same.)
  *
  * Of the settings, duplicates (not AHD_DUPLICATES_MEAN_Z) and threads apply to visits; each takes
  * about as much memory as ahd_estimate() says for a run of as many points. Merging takes some 250
@@ -175,7 +176,7 @@ AHD_API ahd_status ahd_tiles_merge(
  *   tiles_list_points  float64  (k, 2)   points of other leaves, x and y each
  *   tiles_list_ids     int64    (k)
  *   tiles_surface      int64    (s, 3)   triangles: places among the leaf's points, then its list
- *   tiles_surface_edges  uint8  (s)      bit e is set if edge e is a constraint
+ *   tiles_surface_edges  uint8  (s)      bit e is set if edge e is a constraint, or ends it
  */
 
 /* Makes tiles_triangles and tiles_edges. `points`, `ids`: as in the visit; `own`: its tiles_own. */
@@ -189,7 +190,9 @@ AHD_API ahd_status ahd_tiles_list(
 
 /* With lines or loops: makes tiles_surface..., the triangles that the leaf's cells need, and
  * tiles_list_.... For the run of the leaf's points and its list give them as the input arrays
- * surface and surface_edges. Without lines and loops it is not needed. */
+ * surface and surface_edges; no cell has a value if there is none. (But if all points are on one
+ * line, constraints do nothing: leave it out.) The setting maximum_edge_length of this job leaves
+ * triangles out; the run itself has no limits on size. */
 AHD_API ahd_status ahd_tiles_surface(ahd_job* job, uint64_t leaf, const ahd_array* points,
   const int64_t* ids, const ahd_bytes* own, const ahd_bytes* shares, uint64_t count);
 

@@ -164,6 +164,13 @@ void JobTiles::load(const GivenBytes& plan)
   take(std::move(facts));
 }
 
+void JobTiles::setLines(TileLines&& lines)
+{
+  TileFacts facts = plan().facts();
+  facts.lines = std::move(lines);
+  take(std::move(facts));
+}
+
 void JobTiles::findLeaves(
   const GivenArray& points, std::int32_t* leaves, const Context& context) const
 {
@@ -192,11 +199,10 @@ SampleRaster JobTiles::piece(std::uint64_t leaf, const SampleRaster& whole) cons
 
 // ---------------------------------------------------------------------------------- the visits
 
-void JobTiles::refuseFault(
-  const TilePoints& given, const TileKept& kept, const Context& context) const
+void JobTiles::refuseFault(const TilePoints& given, const Context& context) const
 {
   const char* fault = nullptr;
-  check(visits().findFault(given, kept, context, fault));
+  check(visits().findFault(given, context, fault));
   if (fault)
   {
     refuse(Reason::BadArray, fault);
@@ -207,7 +213,7 @@ void JobTiles::visit(const GivenTile& tile, Representative representative, const
 {
   const OpenPoints opened(tile.points, context);
   const TilePoints given{ checkedLeaf(tile.leaf), opened.view, tile.ids };
-  refuseFault(given, {}, context);
+  refuseFault(given, context);
   check(visits().visit(given, representative, context, output_));
 }
 
@@ -228,34 +234,56 @@ void JobTiles::merge(
   check(visits().merge(static_cast<std::size_t>(node), read, context, output_));
 }
 
-std::vector<TileSection> JobTiles::sectionsOf(
-  std::uint64_t leaf, const std::vector<GivenBytes>& shares) const
+void JobTiles::readKept(std::size_t leaf, const TileView* own,
+  const std::vector<GivenBytes>& shares, TileKept& kept) const
 {
-  std::vector<TileSection> sections;
-  if (!visits().readSections(checkedLeaf(leaf), viewsOf(shares), sections))
+  if (!visits().readKept(leaf, own, viewsOf(shares), kept))
   {
-    refuse(Reason::BadArray, "These are not the shares of the nodes above the leaf.");
+    refuse(Reason::BadArray, "This is not what visits of the leaf and the nodes above it gave.");
   }
-  return sections;
 }
 
-void JobTiles::makeTriangles(const GivenTile& tile, const GivenBytes& own,
-  const std::vector<GivenBytes>& shares, const Context& context)
+template <typename Make>
+void JobTiles::secondVisit(
+  const GivenTile& tile, const GivenKept& bytes, const Context& context, const Make& make)
 {
-  const std::vector<TileSection> sections = sectionsOf(tile.leaf, shares);
-  const TileView ownView = viewsOf({ own })[0];
   const OpenPoints opened(tile.points, context);
   const TilePoints given{ checkedLeaf(tile.leaf), opened.view, tile.ids };
-  const TileKept kept{ &ownView, &sections };
-  refuseFault(given, kept, context);
-  check(visits().makeTriangles(given, kept, context, output_));
+  const TileView own = viewsOf({ bytes.own })[0];
+  TileKept kept;
+  readKept(given.leaf, &own, bytes.shares, kept);
+  refuseFault(given, context);
+  bool fits = false;
+  check(visits().findFits(given, kept, context, fits));
+  if (!fits)
+  {
+    refuse(Reason::BadArray, "This is not what a visit of these points gave.");
+  }
+  check(make(given, kept));
+}
+
+void JobTiles::makeTriangles(const GivenTile& tile, const GivenKept& bytes, const Context& context)
+{
+  secondVisit(tile, bytes, context,
+    [&](const TilePoints& given, const TileKept& kept)
+    { return visits().makeTriangles(given, kept, context, output_); });
+}
+
+void JobTiles::makeSurface(
+  const GivenTile& tile, const GivenKept& bytes, double longest, const Context& context)
+{
+  secondVisit(tile, bytes, context,
+    [&](const TilePoints& given, const TileKept& kept)
+    { return visits().makeSurface(given, kept, longest, context, output_); });
 }
 
 void JobTiles::makeList(
   std::uint64_t leaf, const std::vector<GivenBytes>& shares, const Context& context)
 {
-  const std::vector<TileSection> sections = sectionsOf(leaf, shares);
-  check(visits().makeList(static_cast<std::size_t>(leaf), sections, context, output_));
+  const std::size_t k = checkedLeaf(leaf);
+  TileKept kept;
+  readKept(k, nullptr, shares, kept);
+  check(visits().makeList(k, kept, context, output_));
 }
 
 // ---------------------------------------------------------------------------------- the arrays

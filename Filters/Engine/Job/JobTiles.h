@@ -29,6 +29,13 @@ struct GivenTile
   const std::int64_t* ids; ///< null: none
 };
 
+/// What a caller kept for the second visit of a leaf.
+struct GivenKept
+{
+  GivenBytes own;
+  std::vector<GivenBytes> shares;
+};
+
 /// The plan as arrays.
 struct TileTables
 {
@@ -48,6 +55,8 @@ public:
   /// Is another pass needed?
   bool endPass(std::uint64_t most, const double* extent);
   void load(const GivenBytes& plan);
+  /// Replaces those of the plan.
+  void setLines(TileLines&& lines);
 
   const TilePlan& plan() const { return visits().plan(); }
   const TileOutput& output() const { return output_; }
@@ -59,17 +68,21 @@ public:
 
   void visit(const GivenTile& tile, Representative representative, const Context& context);
   void merge(std::uint64_t node, const std::vector<GivenBytes>& borders, const Context& context);
-  void makeTriangles(const GivenTile& tile, const GivenBytes& own,
-    const std::vector<GivenBytes>& shares, const Context& context);
+  void makeTriangles(const GivenTile& tile, const GivenKept& bytes, const Context& context);
+  void makeSurface(
+    const GivenTile& tile, const GivenKept& bytes, double longest, const Context& context);
   void makeList(std::uint64_t leaf, const std::vector<GivenBytes>& shares, const Context& context);
 
 private:
   const TileVisits& visits() const;
   std::size_t checkedLeaf(std::uint64_t leaf) const;
   void take(TileFacts&& facts);
-  void refuseFault(const TilePoints& given, const TileKept& kept, const Context& context) const;
-  std::vector<TileSection> sectionsOf(
-    std::uint64_t leaf, const std::vector<GivenBytes>& shares) const;
+  void refuseFault(const TilePoints& given, const Context& context) const;
+  void readKept(std::size_t leaf, const TileView* own, const std::vector<GivenBytes>& shares,
+    TileKept& kept) const;
+  template <typename Make>
+  void secondVisit(
+    const GivenTile& tile, const GivenKept& bytes, const Context& context, const Make& make);
 
   std::unique_ptr<TileCounter> counter_; ///< between begin() and the end of the last pass
   std::unique_ptr<TileVisits> visits_;   ///< null: there is no plan

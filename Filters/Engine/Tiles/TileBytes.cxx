@@ -59,6 +59,27 @@ TileView contentOf(TileKind kind, const TilePlan& plan, std::size_t part, const 
               : TileView{ nullptr, 0 };
 }
 
+bool readOwn(const TilePlan& plan, std::size_t leaf, const TileView& bytes, TileOwn& own)
+{
+  own = TileOwn();
+  const TileView content = contentOf(TileKind::Own, plan, leaf, bytes);
+  constexpr std::size_t kNumber = sizeof(std::uint64_t);
+  if (!content.data || content.size < kNumber)
+  {
+    return false;
+  }
+  const std::uint64_t numbers = numberAt(content.data);
+  if (numbers % 3 != 0 || numbers > (content.size - kNumber) / sizeof(Index))
+  {
+    return false;
+  }
+  own.triples = content.data + kNumber;
+  own.count = static_cast<std::size_t>(numbers / 3);
+  const std::size_t end = kNumber + static_cast<std::size_t>(numbers) * sizeof(Index);
+  BytesReader{ content.data + end, content.size - end }(own.pieces);
+  return own.pieces.empty() || own.pieces.size() == own.count;
+}
+
 ShareWriter::ShareWriter(
   const TilePlan& plan, std::size_t node, const std::vector<Index>& leaves, BlockBytes& bytes)
   : bytes_(bytes)

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <tuple>
 #include <vector>
 
@@ -48,6 +49,25 @@ struct TileBorder
   auto fields() { return std::tie(border, pieces); }
 };
 
+/// What a leaf keeps for its second visit: triangles that are final there, in canonical order.
+struct TileOwn
+{
+  const unsigned char* triples = nullptr; ///< numbers of points, three each; not aligned
+  std::size_t count = 0;
+  /// Of each the piece of the final region; empty if there is one, or there are no loops.
+  std::vector<Index> pieces;
+
+  std::array<Index, 3> operator[](std::size_t triangle) const
+  {
+    std::array<Index, 3> corners;
+    std::memcpy(corners.data(), triples + triangle * sizeof corners, sizeof corners);
+    return corners;
+  }
+};
+
+/// False if these bytes are not the own of the leaf.
+bool readOwn(const TilePlan& plan, std::size_t leaf, const TileView& bytes, TileOwn& own);
+
 /// What a leaf needs of a node above: the triangles that have become final there whose closed
 /// circumdiscs meet its box, so all that have a corner in it; their corners, and more points.
 struct TileSection
@@ -59,7 +79,14 @@ struct TileSection
   std::vector<std::array<Index, 3>> corners; ///< places among the points, counterclockwise
   std::vector<std::uint8_t> flags;           ///< of each triangle
 
-  auto fields() { return std::tie(points, corners, flags); }
+  // With loops:
+  /// Of each triangle the piece of the final region; in the root none, as they are kept.
+  std::vector<Index> pieceOf;
+  /// Of each piece of the part below that has the leaf, the piece here; in the root 1 if it is
+  /// kept, else 0.
+  std::vector<Index> pieces;
+
+  auto fields() { return std::tie(points, corners, flags, pieceOf, pieces); }
 };
 
 /// Writes the share of a node, section by section, leaves ascending.

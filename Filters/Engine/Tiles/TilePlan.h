@@ -88,6 +88,10 @@ public:
   /// By how much, at most, reaches of leaves overlap.
   double overlap() const { return overlap_; }
 
+  /// Are there lines or loops? Loops?
+  bool hasLines() const { return facts_.lines.chains() != 0; }
+  bool hasLoops() const { return facts_.lines.chains() > facts_.lines.lines; }
+
   /// The leaves of the points from `begin` to `end`; -1 for one that is not finite.
   void findLeaves(
     const PointView& points, std::size_t begin, std::size_t end, std::int32_t* leaves) const;

@@ -17,10 +17,12 @@ namespace
 class Sharing
 {
 public:
-  Sharing(const TilePlan& plan, std::size_t node, const Part& part, Ticker& ticker)
+  Sharing(const TilePlan& plan, std::size_t node, const Part& part,
+    const std::vector<TileBorder>& borders, Ticker& ticker)
     : plan_(plan)
     , node_(node)
     , part_(part)
+    , borders_(borders)
     , given_(part.given())
     , ticker_(ticker)
   {
@@ -52,6 +54,7 @@ private:
   {
     std::array<Index, 3> corners;
     std::uint8_t flags;
+    Index piece;
   };
 
   /// Calls visit(leaf) for those of the node for whose reach `meets` holds: it holds for that of
@@ -81,7 +84,7 @@ private:
   bool listTriangles()
   {
     return part_.eachFinal(ticker_,
-             [&](const std::array<Index, 3>& corners, std::uint8_t flags)
+             [&](const std::array<Index, 3>& corners, std::uint8_t flags, Index piece)
              {
                const Corners at{ given_[corners[0]].at, given_[corners[1]].at,
                  given_[corners[2]].at };
@@ -90,7 +93,7 @@ private:
                { return isLeaf ? disc.meets(box) : disc.meetsByFilter(box).value_or(true); };
                const auto triangle = static_cast<Index>(triangles_.size());
                eachLeaf(meets, [&](Index leaf) { ofLeaves_.push_back({ leaf, triangle }); });
-               triangles_.push_back({ corners, flags });
+               triangles_.push_back({ corners, flags, piece });
              }) &&
       goesOn_;
   }
@@ -185,14 +188,8 @@ private:
 
   bool writeSections(BlockBytes& share)
   {
-    std::vector<Index> leaves;
-    for (const Item& item : points_)
-    {
-      if (leaves.empty() || leaves.back() != item.leaf)
-      {
-        leaves.push_back(item.leaf);
-      }
-    }
+    followPieces();
+    const std::vector<Index> leaves = leavesToTell();
     ShareWriter writer(plan_, node_, leaves, share);
     auto point = points_.cbegin(), triangle = ofLeaves_.cbegin();
     for (const Index leaf : leaves)
@@ -201,7 +198,9 @@ private:
       const auto isOther = [leaf](const Item& item) { return item.leaf != leaf; };
       point = std::find_if(firstPoint, points_.cend(), isOther);
       triangle = std::find_if(firstTriangle, ofLeaves_.cend(), isOther);
-      writer.add(sectionOf({ firstPoint, point }, { firstTriangle, triangle }));
+      TileSection section = sectionOf({ firstPoint, point }, { firstTriangle, triangle });
+      section.pieces = piecesFor(leaf);
+      writer.add(section);
       if (!ticker_.ask())
       {
         return false;
@@ -238,13 +237,75 @@ private:
       section.corners.push_back(places);
       section.flags.push_back(static_cast<std::uint8_t>(
         triangle.flags | (lowest == item->leaf ? TileSection::kOwned : 0u)));
+      if (plan_.hasLoops() && node_ != plan_.root())
+      {
+        section.pieceOf.push_back(triangle.piece);
+      }
     }
     return section;
+  }
+
+  /// With loops all: they ask for their pieces.
+  std::vector<Index> leavesToTell() const
+  {
+    std::vector<Index> leaves;
+    const BlockRow& row = plan_.rowOf(node_);
+    for (std::size_t leaf = row.begin; plan_.hasLoops() && leaf != row.end; ++leaf)
+    {
+      leaves.push_back(static_cast<Index>(leaf));
+    }
+    for (const Item& item : points_)
+    {
+      if (leaves.empty() || leaves.back() < item.leaf)
+      {
+        leaves.push_back(item.leaf);
+      }
+    }
+    return leaves;
+  }
+
+  /// Of each piece of each part below, what it is here.
+  void followPieces()
+  {
+    for (std::size_t child = 0; plan_.hasLoops() && child != borders_.size(); ++child)
+    {
+      const std::vector<Index>& below = borders_[child].pieces;
+      Part::Kept kept;
+      std::vector<Index> here;
+      if (node_ == plan_.root())
+      {
+        part_.tellKept(child, kept);
+      }
+      else
+      {
+        here = part_.piecesBelow(child);
+      }
+      pieces_.emplace_back();
+      for (std::size_t i = 0; i != below.size(); ++i)
+      {
+        pieces_.back().resize(std::max<std::size_t>(pieces_.back().size(), below[i] + 1));
+        pieces_.back()[below[i]] = !here.empty() ? here[i] : kept.isAll ? 1 : kept.edges[i];
+      }
+    }
+  }
+
+  /// Of those of the part that has the leaf.
+  std::vector<Index> piecesFor(Index leaf) const
+  {
+    for (std::size_t child = 0; child != pieces_.size(); ++child)
+    {
+      if (plan_.rowOf(plan_.joinedBy(node_)[child]).has(leaf))
+      {
+        return pieces_[child];
+      }
+    }
+    return {};
   }
 
   const TilePlan& plan_;
   const std::size_t node_;
   const Part& part_;
+  const std::vector<TileBorder>& borders_; ///< of the parts below; they have their pieces
   const std::vector<BorderPoint>& given_;
   Ticker& ticker_;
   bool goesOn_ = true;
@@ -252,14 +313,15 @@ private:
   std::vector<Triangle> triangles_;
   std::vector<Item> ofLeaves_; ///< triangles
   std::vector<Item> points_;
+  std::vector<std::vector<Index>> pieces_;
 };
 
 } // namespace
 
-bool writeShare(
-  const TilePlan& plan, std::size_t node, const Part& part, Ticker& ticker, BlockBytes& share)
+bool writeShare(const TilePlan& plan, std::size_t node, const Part& part,
+  const std::vector<TileBorder>& borders, Ticker& ticker, BlockBytes& share)
 {
-  return Sharing(plan, node, part, ticker).write(share);
+  return Sharing(plan, node, part, borders, ticker).write(share);
 }
 
 } // namespace ahd

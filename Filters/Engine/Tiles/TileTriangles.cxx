@@ -5,7 +5,6 @@
 #include "TileVisits.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace ahd
 {
@@ -31,9 +30,9 @@ public:
   {
   }
 
-  bool make(const TileView& own, const std::vector<TileSection>& sections, TileOutput& out)
+  bool make(const TileKept& kept, TileOutput& out)
   {
-    return number(sections) && rank() && sortSeam() && joinWith(own, out);
+    return number(kept) && rank() && sortSeam() && joinWith(kept, out);
   }
 
 private:
@@ -52,7 +51,7 @@ private:
         : id - static_cast<std::int64_t>(plan_.firstPoint(given_.leaf)));
   }
 
-  bool number(const std::vector<TileSection>& sections)
+  bool number(const TileKept& kept)
   {
     const std::size_t own = given_.points.count;
     places_.reserve(own);
@@ -61,8 +60,9 @@ private:
     {
       return false;
     }
-    for (const TileSection& section : sections)
+    for (std::size_t k = 0; k != kept.sections.size(); ++k)
     {
+      const TileSection& section = kept.sections[k];
       std::vector<Index> numbers;
       for (const BorderPoint& point : section.points)
       {
@@ -77,7 +77,7 @@ private:
       for (std::size_t t = 0; t != section.corners.size(); ++t)
       {
         const std::array<Index, 3>& c = section.corners[t];
-        if ((section.flags[t] & TileSection::kOwned) != 0)
+        if ((section.flags[t] & TileSection::kOwned) != 0 && kept.isKept(k, t))
         {
           seam_.push_back({ { numbers[c[0]], numbers[c[1]], numbers[c[2]] }, section.flags[t] });
         }
@@ -131,13 +131,11 @@ private:
       { return ranksOf(a.corners) < ranksOf(b.corners); });
   }
 
-  bool joinWith(const TileView& own, TileOutput& out)
+  bool joinWith(const TileKept& kept, TileOutput& out)
   {
-    std::uint64_t numbers = 0;
-    std::memcpy(&numbers, own.data, sizeof numbers);
-    const std::size_t ownCount = static_cast<std::size_t>(numbers / 3);
-    out.triangles.reserve(3 * (ownCount + seam_.size()));
-    out.edges.reserve(ownCount + seam_.size());
+    const TileOwn& own = kept.own;
+    out.triangles.reserve(3 * (own.count + seam_.size()));
+    out.edges.reserve(own.count + seam_.size());
     const auto put = [&](const Numbered& one)
     {
       for (const Index corner : one.corners)
@@ -149,17 +147,18 @@ private:
     auto next = seam_.cbegin();
     const auto join = [&](std::size_t t)
     {
-      Numbered one{ {}, 0 };
-      std::memcpy(
-        one.corners.data(), own.data + sizeof numbers + t * sizeof one.corners, sizeof one.corners);
+      const Numbered one{ own[t], 0 };
       const std::array<Index, 3> ranks = ranksOf(one.corners);
       for (; next != seam_.cend() && ranksOf(next->corners) < ranks; ++next)
       {
         put(*next);
       }
-      put(one);
+      if (kept.isOwnKept(t))
+      {
+        put(one);
+      }
     };
-    if (!inSteps(0, ownCount, ticker_, join))
+    if (!inSteps(0, own.count, ticker_, join))
     {
       return false;
     }
@@ -186,54 +185,7 @@ Status TileVisits::makeTriangles(
     [&]
     {
       Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
-      const TileView triples = contentOf(TileKind::Own, plan_, given.leaf, *kept.own);
-      return LeafTriangles(plan_, given, ticker).make(triples, *kept.sections, out);
-    });
-}
-
-Status TileVisits::makeList(std::size_t leaf, const std::vector<TileSection>& sections,
-  const Context& context, TileOutput& out) const
-{
-  out = TileOutput();
-  return unlessCancelled(
-    [&]
-    {
-      struct Listed
-      {
-        std::uint32_t block;
-        std::int64_t id;
-        Point at;
-
-        bool operator<(const Listed& other) const
-        {
-          return block != other.block ? block < other.block : id < other.id;
-        }
-        bool operator==(const Listed& other) const
-        {
-          return block == other.block && id == other.id;
-        }
-      };
-      std::vector<Listed> listed;
-      Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
-      bool goesOn = true;
-      for (std::size_t k = 0; goesOn && k != sections.size(); ++k)
-      {
-        const std::vector<BorderPoint>& points = sections[k].points;
-        const auto add = [&](std::size_t i)
-        {
-          if (points[i].block != leaf)
-          {
-            listed.push_back({ points[i].block, points[i].id, points[i].at });
-          }
-        };
-        goesOn = inSteps(0, points.size(), ticker, add);
-      }
-      const auto put = [&](std::size_t i)
-      {
-        out.listPoints.insert(out.listPoints.end(), { listed[i].at.x, listed[i].at.y });
-        out.listIds.push_back(listed[i].id);
-      };
-      return goesOn && sortOnce(listed, ticker) && inSteps(0, listed.size(), ticker, put);
+      return LeafTriangles(plan_, given, ticker).make(kept, out);
     });
 }
 

@@ -18,7 +18,8 @@ TileVisits::TileVisits(TileFacts facts)
   {
     reaches.push_back(plan_.reach(k));
   }
-  around_.boxes.set(std::move(reaches), plan_.overlap());
+  boxes_.set(std::move(reaches), plan_.overlap());
+  dealCorners();
 }
 
 namespace
@@ -39,10 +40,23 @@ bool writeOwn(const TilePlan& plan, std::size_t leaf, Part& part, Ticker& ticker
 {
   beginBytes(TileKind::Own, plan, leaf, own);
   std::vector<std::int32_t> triples(3 * part.finalTriangles());
-  const bool goesOn = part.writeFinal(triples.data(), ticker);
-  BytesWriter{ own }(triples);
+  std::vector<Index> pieces;
+  const bool goesOn = (part.pieceCount() < 2 || part.listPieces(pieces, ticker)) &&
+    part.writeFinal(triples.data(), ticker);
+  BytesWriter{ own }(triples, pieces);
   endBytes(own);
   return goesOn;
+}
+
+/// What a part that is not the root hands up, once its final triangles are known.
+bool makeBorder(const TilePlan& plan, Part& part, TileBorder& border, Ticker& ticker)
+{
+  if (!part.makeBorder(border.border, ticker) || (plan.hasLoops() && !part.findPieces(ticker)))
+  {
+    return false;
+  }
+  border.pieces = plan.hasLoops() ? part.piecesOfBorder() : border.pieces;
+  return true;
 }
 
 void writeBorder(const TilePlan& plan, std::size_t part, const TileBorder& border, BlockBytes& out)
@@ -75,9 +89,12 @@ Status TileVisits::visit(const TilePoints& given, Representative representative,
       }
       part.keepCrowds();
       Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
+      Surroundings around{ boxes_, {} };
       TileBorder border;
-      if (!part.findFinal(plan_.rowOf(given.leaf), around_, ticker) ||
-        !part.makeBorder(border.border, ticker))
+      if (!findEnds(given.leaf, part, ticker) ||
+        !joinSegments(given.leaf, given.points.count, around, ticker) ||
+        !part.findFinal(plan_.rowOf(given.leaf), around, ticker) ||
+        !makeBorder(plan_, part, border, ticker))
       {
         return Status::Cancelled;
       }
@@ -103,7 +120,9 @@ bool TileVisits::readBorders(
     const PartBorder& border = borders.back().border;
     const auto isIn = [&border](const BorderEdge& edge)
     { return std::max(edge.from, edge.to) < border.points.size(); };
-    if (!std::all_of(border.edges.begin(), border.edges.end(), isIn))
+    const std::size_t pieces = borders.back().pieces.size();
+    if (!std::all_of(border.edges.begin(), border.edges.end(), isIn) ||
+      pieces != (plan_.hasLoops() ? border.edges.size() : 0))
     {
       return false;
     }
@@ -123,20 +142,23 @@ Status TileVisits::merge(
       {
         below.push_back(std::move(border.border));
       }
+      const bool isRoot = node == plan_.root();
       Part part;
-      const Status status = part.makeOf(below, context);
+      Status status = part.makeOf(below, context);
+      status = status == Status::Ok && isRoot ? constrain(part, context) : status;
       if (status != Status::Ok)
       {
         return status;
       }
       Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
-      const bool isRoot = node == plan_.root();
+      Surroundings around{ boxes_, {} };
       TileBorder border;
       const bool goesOn = part.findBelow(ticker) &&
         (isRoot ? part.finishAll(ticker)
-                : part.findFinal(plan_.rowOf(node), around_, ticker) &&
-              part.makeBorder(border.border, ticker));
-      if (!goesOn || !writeShare(plan_, node, part, ticker, out.share))
+                : joinSegments(node, part.given().size(), around, ticker) &&
+              part.findFinal(plan_.rowOf(node), around, ticker) &&
+              makeBorder(plan_, part, border, ticker));
+      if (!goesOn || !writeShare(plan_, node, part, borders, ticker, out.share))
       {
         return Status::Cancelled;
       }
@@ -165,50 +187,42 @@ bool TileVisits::readSections(
   return node == plan_.root();
 }
 
-namespace
+/// From the root down: which pieces of the parts below are kept.
+bool TileVisits::followPieces(TileKept& kept) const
 {
-
-constexpr const char* kOthers = "This is not what was kept of a visit of these points.";
-
-/// Are all points in the box?
-bool areWithin(const PointView& points, const Bounds& box, Ticker& ticker, bool& answer)
-{
-  answer = true;
-  return inSteps(0, points.count, ticker,
-    [&](std::size_t i)
-    {
-      const Point p = points[i];
-      answer &= box.xmin <= p.x && p.x <= box.xmax && box.ymin <= p.y && p.y <= box.ymax;
-    });
-}
-
-bool doAscend(const TilePoints& given, Ticker& ticker, bool& answer)
-{
-  answer = true;
-  return inSteps(0, given.ids ? given.points.count : 0, ticker,
-    [&](std::size_t i) { answer &= given.ids[i] > (i == 0 ? -1 : given.ids[i - 1]); });
-}
-
-/// Do they name points of the leaf only?
-bool isOwn(const TileView& triples, std::size_t points, Ticker& ticker, bool& answer)
-{
-  std::uint64_t count = 0;
-  answer = triples.data != nullptr && triples.size >= sizeof count;
-  if (answer)
+  const std::size_t count = kept.sections.size();
+  kept.flags.assign(plan_.hasLoops() ? count : 0, {});
+  for (std::size_t k = kept.flags.size(); k-- > 0;)
   {
-    std::memcpy(&count, triples.data, sizeof count);
-    answer = count % 3 == 0 && triples.size == sizeof count + count * sizeof(Index);
-  }
-  return inSteps(0, answer ? static_cast<std::size_t>(count) : 0, ticker,
-    [&](std::size_t k)
+    const TileSection& section = kept.sections[k];
+    const bool isRoot = k + 1 == count;
+    for (const Index piece : section.pieces)
     {
-      Index number;
-      std::memcpy(&number, triples.data + sizeof count + k * sizeof number, sizeof number);
-      answer &= number < points;
-    });
+      if (!isRoot && piece >= kept.flags[k + 1].size())
+      {
+        return false;
+      }
+      kept.flags[k].push_back(isRoot ? std::uint8_t(piece != 0) : kept.flags[k + 1][piece]);
+    }
+    const auto isIn = [&](Index piece) { return piece < kept.flags[k + 1].size(); };
+    if (section.pieceOf.size() != (isRoot ? 0 : section.corners.size()) ||
+      !std::all_of(section.pieceOf.begin(), section.pieceOf.end(), isIn))
+    {
+      return false;
+    }
+  }
+  const auto isOwn = [&](Index piece) { return piece < kept.flags[0].size(); };
+  return kept.flags.empty() || kept.own.count == 0 ||
+    (!kept.flags[0].empty() && std::all_of(kept.own.pieces.begin(), kept.own.pieces.end(), isOwn));
 }
 
-} // namespace
+bool TileVisits::readKept(
+  std::size_t leaf, const TileView* own, const std::vector<TileView>& shares, TileKept& kept) const
+{
+  kept = TileKept();
+  return (!own || readOwn(plan_, leaf, *own, kept.own)) &&
+    readSections(leaf, shares, kept.sections) && followPieces(kept);
+}
 
 bool TileVisits::areOf(const TilePoints& given, const TileSection& section) const
 {
@@ -223,36 +237,46 @@ bool TileVisits::areOf(const TilePoints& given, const TileSection& section) cons
     });
 }
 
-Status TileVisits::findFault(
-  const TilePoints& given, const TileKept& kept, const Context& context, const char*& fault) const
+Status TileVisits::findFits(
+  const TilePoints& given, const TileKept& kept, const Context& context, bool& fits) const
 {
   return unlessCancelled(
     [&]
     {
       Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
-      fault = nullptr;
-      if (given.points.count != plan_.leaf(given.leaf).count)
+      fits = std::all_of(kept.sections.begin(), kept.sections.end(),
+        [&](const TileSection& section) { return areOf(given, section); });
+      return inSteps(0, kept.own.count, ticker,
+        [&](std::size_t t)
+        {
+          const std::array<Index, 3> c = kept.own[t];
+          fits = fits && std::max({ c[0], c[1], c[2] }) < given.points.count;
+        });
+    });
+}
+
+Status TileVisits::findFault(
+  const TilePoints& given, const Context& context, const char*& fault) const
+{
+  return unlessCancelled(
+    [&]
+    {
+      Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
+      const PointView& points = given.points;
+      const Bounds& box = plan_.box(given.leaf);
+      bool areIn = true, ascend = true;
+      const auto look = [&](std::size_t i)
       {
-        fault = "There are more or fewer points than were counted in the leaf.";
-        return ticker.ask();
-      }
-      bool areIn = false, ascend = false, fits = true;
-      if (!areWithin(given.points, plan_.box(given.leaf), ticker, areIn) ||
-        !doAscend(given, ticker, ascend))
-      {
-        return false;
-      }
-      const bool goesOn = !kept.own ||
-        isOwn(
-          contentOf(TileKind::Own, plan_, given.leaf, *kept.own), given.points.count, ticker, fits);
-      for (std::size_t k = 0; kept.sections && fits && k != kept.sections->size(); ++k)
-      {
-        fits = areOf(given, (*kept.sections)[k]);
-      }
-      fault = !areIn ? "A point is not in the leaf."
-        : !ascend    ? "The ids do not ascend."
-        : !fits      ? kOthers
-                     : nullptr;
+        const Point p = points[i];
+        areIn &= box.xmin <= p.x && p.x <= box.xmax && box.ymin <= p.y && p.y <= box.ymax;
+        ascend &= !given.ids || given.ids[i] > (i == 0 ? -1 : given.ids[i - 1]);
+      };
+      const bool areAll = points.count == plan_.leaf(given.leaf).count;
+      const bool goesOn = !areAll || inSteps(0, points.count, ticker, look);
+      fault = !areAll ? "There are more or fewer points than were counted in the leaf."
+        : !areIn      ? "A point is not in the leaf."
+        : !ascend     ? "The ids do not ascend."
+                      : nullptr;
       return goesOn && ticker.ask();
     });
 }

@@ -27,8 +27,22 @@ struct TilePoints
 /// What was kept of first visits, for the second one of a leaf.
 struct TileKept
 {
-  const TileView* own = nullptr;                      ///< of the leaf
-  const std::vector<TileSection>* sections = nullptr; ///< of the nodes above
+  TileOwn own;
+  std::vector<TileSection> sections; ///< of the nodes above, from the one that joins it to the root
+
+  /// Is it kept by loops?
+  bool isOwnKept(std::size_t triangle) const
+  {
+    return flags.empty() || flags[0][own.pieces.empty() ? 0 : own.pieces[triangle]] != 0;
+  }
+  bool isKept(std::size_t section, std::size_t triangle) const
+  {
+    return section + 1 >= flags.size() ||
+      flags[section + 1][sections[section].pieceOf[triangle]] != 0;
+  }
+
+  /// With loops: of the parts below each of these nodes, for each piece 1 if it is kept.
+  std::vector<std::vector<std::uint8_t>> flags;
 };
 
 /// What a visit gives. Each fills what it says.
@@ -53,10 +67,8 @@ public:
 
   const TilePlan& plan() const { return plan_; }
 
-  /// What is wrong with the points or ids, and with what was kept of a visit of these; null:
-  /// nothing.
-  Status findFault(const TilePoints& given, const TileKept& kept, const Context& context,
-    const char*& fault) const;
+  /// What is wrong with the points or ids; null: nothing.
+  Status findFault(const TilePoints& given, const Context& context, const char*& fault) const;
 
   /// Triangulates the points of a leaf: border and own. @pre no fault
   Status visit(const TilePoints& given, Representative representative, const Context& context,
@@ -69,28 +81,47 @@ public:
   Status merge(std::size_t node, std::vector<TileBorder>& borders, const Context& context,
     TileOutput& out) const;
 
-  /// Reads what the nodes above a leaf have for it, from the one that joins it to the root; false
-  /// if these bytes are others.
-  bool readSections(std::size_t leaf, const std::vector<TileView>& shares,
-    std::vector<TileSection>& sections) const;
-  /// The triangles of a leaf in canonical order, and their edges. @pre no fault
+  /// Reads what was kept for a leaf, without its own if that is null. False if these bytes are
+  /// others.
+  bool readKept(std::size_t leaf, const TileView* own, const std::vector<TileView>& shares,
+    TileKept& kept) const;
+  /// Are the points that it names among these?
+  Status findFits(
+    const TilePoints& given, const TileKept& kept, const Context& context, bool& fits) const;
+
+  /// The triangles of a leaf in canonical order, and their edges. @pre no fault, it fits
   Status makeTriangles(
     const TilePoints& given, const TileKept& kept, const Context& context, TileOutput& out) const;
-  /// The points of other leaves among those of the sections.
-  Status makeList(std::size_t leaf, const std::vector<TileSection>& sections,
+  /// The points of other leaves that it needs.
+  Status makeList(
+    std::size_t leaf, const TileKept& kept, const Context& context, TileOutput& out) const;
+  /// The list, and the triangles that values at the leaf's places need, none with an edge longer
+  /// than `longest` (0: no limit). Edges where they end count as constraints. @pre no fault, it
+  /// fits
+  Status makeSurface(const TilePoints& given, const TileKept& kept, double longest,
     const Context& context, TileOutput& out) const;
 
 private:
+  bool readSections(std::size_t leaf, const std::vector<TileView>& shares,
+    std::vector<TileSection>& sections) const;
+  bool followPieces(TileKept& kept) const;
   bool areOf(const TilePoints& given, const TileSection& section) const;
+  // Lines and loops (TileLines.cxx).
+  void dealCorners();
+  bool findEnds(std::size_t leaf, Part& part, Ticker& ticker) const;
+  bool joinSegments(
+    std::size_t part, std::size_t points, Surroundings& around, Ticker& ticker) const;
+  Status constrain(Part& part, const Context& context) const;
 
   TilePlan plan_;
-  Surroundings around_;
+  BlockBoxes boxes_;
+  std::vector<std::vector<Point>> corners_; ///< of lines and loops, by leaves, sorted; empty: none
 };
 
-/// Writes the share of a node, whose final triangles are known. Returns false if cancelled; throws
-/// std::bad_alloc.
-bool writeShare(
-  const TilePlan& plan, std::size_t node, const Part& part, Ticker& ticker, BlockBytes& share);
+/// Writes the share of a node, whose final triangles are known. `borders`: the pieces of the parts
+/// below. Returns false if cancelled; throws std::bad_alloc.
+bool writeShare(const TilePlan& plan, std::size_t node, const Part& part,
+  const std::vector<TileBorder>& borders, Ticker& ticker, BlockBytes& share);
 
 } // namespace ahd
 

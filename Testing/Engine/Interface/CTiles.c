@@ -88,6 +88,17 @@ static double* points_of(const tiles* all, uint64_t leaf, int64_t* ids, int64_t*
   return xy;
 }
 
+static void free_bytes(tiles* all)
+{
+  uint64_t part;
+  for (part = 0; part < kFew; ++part)
+  {
+    free((void*)all->borders[part].data);
+    free((void*)all->owns[part].data);
+    free((void*)all->shares[part].data);
+  }
+}
+
 static void visit_all(tiles* all)
 {
   int64_t ids[kPoints], count;
@@ -300,6 +311,53 @@ static void expect_plans(tiles* all)
   ahd_job_free(job);
 }
 
+/* A line and a loop, of places of points: triangles, and the surface of each leaf. */
+static void expect_lines(tiles* all)
+{
+  const double* p = all->xy;
+  const double corners[] = { p[0], p[1], p[2], p[3], p[40], p[41], p[60], p[61], p[80], p[81] };
+  const int64_t offsets[] = { 0, 2, 5 }, bad[] = { 0, 3, 2 };
+  const int64_t line[] = { 0, 1 }, loop[] = { 20, 30, 40 };
+  const ahd_array lines = ahd_ids(line, 1, 2), loops = ahd_ids(loop, 1, 3);
+  uint64_t numbers, leaf, some, edges, part;
+  int64_t *whole, ids[kPoints], count;
+  ahd_job* job = run_of(all->xy, kPoints);
+  CHECK_STATUS(
+    all->job, AHD_BAD_ARRAY, ahd_tiles_lines(all->job, corners, bad, 1, 2, AHD_FILL_ORIENTATION));
+  CHECK_STATUS(
+    all->job, AHD_BAD_ARRAY, ahd_tiles_lines(all->job, NULL, offsets, 1, 2, AHD_FILL_ORIENTATION));
+  CHECK_STATUS(all->job, AHD_BAD_VALUE,
+    ahd_tiles_lines(all->job, corners, offsets, 3, 2, AHD_FILL_ORIENTATION));
+  CHECK_OK(all->job, ahd_tiles_lines(all->job, corners, offsets, 1, 2, AHD_FILL_EVEN_ODD));
+  free_bytes(all);
+  visit_all(all);
+  CHECK_OK(job, ahd_set_array(job, "line_ids", &lines));
+  CHECK_OK(job, ahd_set_array(job, "loop_ids", &loops));
+  CHECK_OK(job, ahd_set_int(job, "fill_rule", AHD_FILL_EVEN_ODD));
+  CHECK_OK(job, ahd_run(job));
+  whole = ahd_read_ids(job, "triangles", &numbers);
+  CHECK(numbers > 0 && ahd_counted(job, "kept_triangles") < ahd_counted(job, "delaunay_triangles"));
+  expect_triangles(all, whole, numbers);
+  for (leaf = 0, part = 0; leaf < all->facts.leaves; ++leaf)
+  {
+    ahd_bytes shares[kFew];
+    const uint64_t above = shares_for(all, leaf, shares);
+    double* xy = points_of(all, leaf, ids, &count);
+    const ahd_array points = places(xy, count);
+    uint64_t columns;
+    CHECK_OK(
+      all->job, ahd_tiles_surface(all->job, leaf, &points, ids, &all->owns[leaf], shares, above));
+    free(ahd_read_ids(all->job, "tiles_surface", &some));
+    CHECK_OK(all->job, ahd_array_size(all->job, "tiles_surface_edges", &edges, &columns));
+    CHECK(3 * edges == some);
+    part += some;
+    free(xy);
+  }
+  CHECK(part >= numbers);
+  free(whole);
+  ahd_job_free(job);
+}
+
 static int32_t cancel(void* user, int32_t phase, double fraction)
 {
   (void)user;
@@ -328,7 +386,7 @@ static void expect_cancelling(tiles* all)
 void test_tiles(void)
 {
   tiles all;
-  uint64_t numbers, part;
+  uint64_t numbers;
   int64_t* whole;
   ahd_job* job;
   memset(&all, 0, sizeof all);
@@ -343,12 +401,8 @@ void test_tiles(void)
   expect_plans(&all);
   expect_cancelling(&all);
   expect_refusals(&all);
-  for (part = 0; part < kFew; ++part)
-  {
-    free((void*)all.borders[part].data);
-    free((void*)all.owns[part].data);
-    free((void*)all.shares[part].data);
-  }
+  expect_lines(&all);
+  free_bytes(&all);
   free(whole);
   free(all.parents);
   free(all.xy);

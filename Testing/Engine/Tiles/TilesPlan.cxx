@@ -198,13 +198,13 @@ TEST(TilesPlan, OtherBytesAreRefused)
     EXPECT_FALSE(TilePlan::read(bytes.data(), k, facts));
   }
   const std::vector<TileView> right = run.sharesFor(3);
-  std::vector<TileSection> sections;
-  ASSERT_TRUE(run.visits().readSections(3, right, sections));
+  TileKept kept;
+  ASSERT_TRUE(run.visits().readKept(3, nullptr, right, kept));
   for (std::size_t size = 0; size < right.back().size; size += 1 + size / 20)
   {
     std::vector<TileView> shares = right;
     shares.back().size = size;
-    EXPECT_FALSE(run.visits().readSections(3, shares, sections)) << size;
+    EXPECT_FALSE(run.visits().readKept(3, nullptr, shares, kept)) << size;
   }
   std::vector<TileBorder> borders;
   const std::size_t node = plan.parents()[0];

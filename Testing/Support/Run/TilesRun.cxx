@@ -19,6 +19,7 @@ TilesRun::TilesRun(const PointView& points, const TilesWay& way)
   }
   facts.extent = joined(facts.bounds, way.extent);
   facts.hasPlaces = isEmpty(way.extent) ? 0 : 1;
+  facts.lines = way.lines;
   visits_ = std::make_unique<TileVisits>(std::move(facts));
   deal(points);
   visitAll();
@@ -113,19 +114,34 @@ void TilesRun::visitAll()
   }
 }
 
-bool TilesRun::fits(const TilePoints& given, const TileKept& kept)
+bool TilesRun::fits(const TilePoints& given)
 {
   const char* wrong = nullptr;
-  const bool goesOn = call([&] { return visits_->findFault(given, kept, way_.context, wrong); });
+  const bool goesOn = call([&] { return visits_->findFault(given, way_.context, wrong); });
   const std::lock_guard<std::mutex> lock(telling_);
   fault = wrong ? wrong : fault;
   return !wrong && goesOn;
 }
 
+bool TilesRun::read(std::size_t leaf, TileKept& kept)
+{
+  const TileView own = viewOf(owns_[leaf]);
+  bool fits = false;
+  if (!visits_->readKept(leaf, &own, sharesFor(leaf), kept))
+  {
+    fault = "these are other bytes";
+    return false;
+  }
+  const bool goesOn = call(
+    [&] { return visits_->findFits(pointsOf(leaf), kept, way_.context, fits); });
+  fault = goesOn && !fits ? "it does not fit" : fault;
+  return goesOn && fits;
+}
+
 void TilesRun::visit(std::size_t leaf)
 {
   const TilePoints given = pointsOf(leaf);
-  if (!fits(given, {}))
+  if (!fits(given))
   {
     return;
   }
@@ -175,12 +191,9 @@ std::vector<std::int64_t> TilesRun::triangles(std::vector<std::uint8_t>* edges)
   std::vector<std::int64_t> all;
   for (std::size_t leaf = 0; leaf != plan().leaves() && isFine(); ++leaf)
   {
-    std::vector<TileSection> sections;
-    const TileView own = viewOf(owns_[leaf]);
-    const TileKept kept{ &own, &sections };
-    if (!visits_->readSections(leaf, sharesFor(leaf), sections) || !fits(pointsOf(leaf), kept))
+    TileKept kept;
+    if (!read(leaf, kept))
     {
-      fault = isFine() ? "no shares" : fault;
       break;
     }
     TileOutput out;
@@ -197,14 +210,13 @@ std::vector<std::int64_t> TilesRun::triangles(std::vector<std::uint8_t>* edges)
 SecondVisit TilesRun::second(std::size_t leaf)
 {
   SecondVisit visit;
-  std::vector<TileSection> sections;
+  TileKept kept;
   TileOutput out;
-  if (!visits_->readSections(leaf, sharesFor(leaf), sections))
+  if (!read(leaf, kept))
   {
-    fault = "no shares";
     return visit;
   }
-  call([&] { return visits_->makeList(leaf, sections, way_.context, out); });
+  call([&] { return visits_->makeList(leaf, kept, way_.context, out); });
   visit.ids = ids_[leaf];
   visit.xyz = xyz_[leaf];
   visit.own = visit.ids.size();
@@ -218,6 +230,17 @@ SecondVisit TilesRun::second(std::size_t leaf)
   visit.options.rankBounds = { b.xmin, b.xmax, b.ymin, b.ymax };
   visit.options.representative = way_.representative;
   return visit;
+}
+
+TileOutput TilesRun::surface(std::size_t leaf, double longest)
+{
+  TileKept kept;
+  TileOutput out;
+  if (read(leaf, kept))
+  {
+    call([&] { return visits_->makeSurface(pointsOf(leaf), kept, longest, way_.context, out); });
+  }
+  return out;
 }
 
 std::vector<std::int64_t> TilesRun::trianglesOfSecondVisits()

@@ -25,6 +25,7 @@ struct TilesWay
   std::uint64_t most = 100; ///< points of a leaf
   Bounds extent;            ///< of places; empty: none
   Bounds guess;             ///< of the points' bounds
+  TileLines lines;
   Representative representative = Representative::FirstId;
   std::size_t threads = 1; ///< that visit leaves at once
   Context context;
@@ -61,6 +62,8 @@ public:
   /// The stream of all leaves: ids, and edges.
   std::vector<std::int64_t> triangles(std::vector<std::uint8_t>* edges = nullptr);
   SecondVisit second(std::size_t leaf);
+  /// With lines: the triangles that values at its places need.
+  TileOutput surface(std::size_t leaf, double longest = 0.0);
   /// The same stream by second visits alone.
   std::vector<std::int64_t> trianglesOfSecondVisits();
 
@@ -76,7 +79,8 @@ private:
   bool count(const PointView& points, TileFacts& facts);
   void deal(const PointView& points);
   void visitAll();
-  bool fits(const TilePoints& given, const TileKept& kept);
+  bool fits(const TilePoints& given);
+  bool read(std::size_t leaf, TileKept& kept);
   void visit(std::size_t leaf);
   void merge(std::size_t node);
 

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Lines and loops leaf by leaf: triangles, their edges, and rasters are those of one run.
+#include "ConstraintMakers.h"
+#include "JobRun.h"
+#include "TilesRun.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace ahd
+{
+namespace test
+{
+namespace
+{
+
+/// The chains by places; where an id is no point's, by none.
+TileLines linesOf(const ConstraintCase& given, FillRule rule)
+{
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  const ConstraintView view = given.constraints.view();
+  TileLines lines;
+  lines.lines = view.lines;
+  lines.rule = std::uint64_t(rule);
+  for (std::size_t chain = 0; chain <= view.chains && view.chains != 0; ++chain)
+  {
+    lines.offsets.push_back(view.offsets[chain]);
+  }
+  for (std::int64_t k = 0; k != (view.chains == 0 ? 0 : lines.offsets.back()); ++k)
+  {
+    const std::int64_t id = view.ids[k];
+    const bool isPoint = id >= 0 && id < std::int64_t(given.points.size());
+    lines.corners.push_back(isPoint ? given.points[std::size_t(id)] : Point{ kNaN, kNaN });
+  }
+  return lines;
+}
+
+struct Stream
+{
+  std::vector<std::int64_t> triangles;
+  std::vector<std::uint8_t> edges;
+};
+
+Stream streamOfOneRun(const ConstraintCase& given, FillRule rule)
+{
+  Engine engine;
+  EXPECT_EQ(engine.run(viewOf(given.points)), Status::Ok);
+  EXPECT_EQ(engine.constrain(given.constraints.view(), rule), Status::Ok);
+  Stream stream;
+  stream.triangles.resize(3 * engine.report().triangles);
+  stream.edges.resize(engine.report().triangles);
+  EXPECT_EQ(engine.writeTriangles(stream.triangles.data()), Status::Ok);
+  EXPECT_EQ(engine.writeConstraintEdges(stream.edges.data()), Status::Ok);
+  return stream;
+}
+
+void expectTheStream(const ConstraintCase& given, std::uint64_t most, const std::string& name)
+{
+  for (const FillRule rule : { FillRule::Orientation, FillRule::EvenOdd })
+  {
+    const Stream whole = streamOfOneRun(given, rule);
+    TilesWay way;
+    way.most = most;
+    way.lines = linesOf(given, rule);
+    TilesRun run(viewOf(given.points), way);
+    ASSERT_EQ(run.fault, "") << name;
+    Stream tiled;
+    tiled.triangles = run.triangles(&tiled.edges);
+    EXPECT_EQ(run.fault, "") << name;
+    EXPECT_EQ(tiled.triangles, whole.triangles)
+      << name << ", " << run.plan().leaves() << " leaves, rule " << int(rule);
+    EXPECT_EQ(tiled.edges, whole.edges) << name;
+  }
+}
+
+struct Named
+{
+  std::string name;
+  ConstraintCase given;
+};
+
+std::vector<Named> largeCases()
+{
+  return { { "star", starPolygon(200) }, { "short", shortSegments(2000, 300) },
+    { "edges of others", edgesOfOthers(900, 400) }, { "random", randomSegments(300, 60) },
+    { "lattice", latticeSegments(20, 60) }, { "nested", nestedLoops(12) },
+    { "across", segmentAcross(500) }, { "spiral", spiralLine(600, 9) },
+    { "through", chainsThrough(Distribution::RepeatedDraws, 800, 9, 1) },
+    { "bulges", segmentAcrossBulges(200) }, { "combs", segmentAcrossCombs(200) } };
+}
+
+TEST(TilesLines, SmallCasesAreAsInOneRun)
+{
+  for (std::uint64_t seed = 0; seed != reduced(600); ++seed)
+  {
+    const ConstraintCase given = smallConstraintCase(seed);
+    expectTheStream(given, 1 + seed % 4, "case " + std::to_string(seed));
+  }
+}
+
+TEST(TilesLines, LargeCasesAreAsInOneRun)
+{
+  for (const Named& one : largeCases())
+  {
+    for (const std::uint64_t most : { 5, 60, 100000 })
+    {
+      expectTheStream(one.given, most, one.name);
+    }
+  }
+}
+
+/// Loops within loops in one leaf: its final triangles are in several pieces.
+TEST(TilesLines, PiecesOfLeavesAreKeptOrNot)
+{
+  for (const std::uint64_t seed : { 1, 2, 3 })
+  {
+    ConstraintCase given = nestedLoops(6);
+    const std::vector<Point> more = makePoints(Distribution::Uniform, 3000, seed);
+    const Point low = *std::min_element(
+      given.points.begin(), given.points.end(), lexicographicallyLess);
+    for (const Point& p : more)
+    {
+      given.points.push_back({ low.x + 13.37 * p.x - 0.1, low.y + 13.37 * p.y - 0.1 });
+    }
+    for (const std::uint64_t most : { 40, 300, 1500 })
+    {
+      expectTheStream(given, most, "nested among others");
+    }
+  }
+}
+
+// ------------------------------------------------------------------------------------- rasters
+
+double heightOf(std::int64_t id)
+{
+  return std::sin(double(id * 7919 % 1000));
+}
+
+struct Cells
+{
+  std::vector<double> values;
+  std::vector<std::uint8_t> mask;
+};
+
+Cells sample(JobRun& run, const std::vector<std::int64_t>& ids, const SampleRaster& raster)
+{
+  std::vector<double> heights;
+  for (const std::int64_t id : ids)
+  {
+    heights.push_back(heightOf(id));
+  }
+  const std::size_t count = raster.columns * raster.rows;
+  Cells cells{ std::vector<double>(count, -7), std::vector<std::uint8_t>(count, 77) };
+  run.set("sample_first_column", std::int64_t(raster.firstColumn));
+  run.set("sample_first_row", std::int64_t(raster.firstRow));
+  const ahd_places places = { nullptr, 0, { raster.origin.x, raster.origin.y },
+    { raster.spacing.x, raster.spacing.y }, raster.columns, raster.rows };
+  const ahd_sampled array = { heights.data(), 1, cells.values.data(), nullptr };
+  EXPECT_EQ(ahd_sample(run.job(), &places, &array, 1, cells.mask.data()), AHD_OK)
+    << ahd_message(run.job());
+  return cells;
+}
+
+ahd_array arrayOf(const void* data, std::int32_t type, std::int64_t rows, std::int32_t columns)
+{
+  const std::int64_t size = type == AHD_UINT8 ? 1 : 8;
+  return { data, type, columns, rows, columns * size, size };
+}
+
+/// The cells of a leaf by an ordinary run of its points, its list and its surface.
+Cells sampleLeaf(
+  TilesRun& run, std::size_t leaf, const SampleRaster& piece, std::int64_t method, double longest)
+{
+  SecondVisit visit = run.second(leaf);
+  const TileOutput surface = run.surface(leaf, longest);
+  if (surface.surface.empty())
+  {
+    const std::size_t count = piece.columns * piece.rows;
+    return { std::vector<double>(count, std::nan("")), std::vector<std::uint8_t>(count, 0) };
+  }
+  const Bounds& b = run.plan().facts().bounds;
+  const double all[] = { b.xmin, b.xmax, b.ymin, b.ymax };
+  const auto rows = std::int64_t(surface.surfaceEdges.size());
+  const ahd_array bounds = arrayOf(all, AHD_FLOAT64, 2, 2);
+  const ahd_array triangles = arrayOf(surface.surface.data(), AHD_INT64, rows, 3);
+  const ahd_array edges = arrayOf(surface.surfaceEdges.data(), AHD_UINT8, rows, 1);
+  JobRun job;
+  job.setPoints(visit.view());
+  ahd_set_array(job.job(), "rank_bounds", &bounds);
+  ahd_set_array(job.job(), "surface", &triangles);
+  ahd_set_array(job.job(), "surface_edges", &edges);
+  job.set("sample_method", method);
+  EXPECT_EQ(job.run(), AHD_OK) << ahd_message(job.job());
+  return sample(job, visit.ids, piece);
+}
+
+void expectTheRaster(
+  const ConstraintCase& given, std::uint64_t most, double longest, const std::string& name)
+{
+  Bounds bounds;
+  std::vector<std::int64_t> ids;
+  for (const Point& p : given.points)
+  {
+    ids.push_back(std::int64_t(ids.size()));
+    bounds = isFinite(p) ? joined(bounds, p) : bounds;
+  }
+  const double pitch = isEmpty(bounds)
+    ? 0.0
+    : std::max(bounds.xmax - bounds.xmin, bounds.ymax - bounds.ymin) / 37.3;
+  if (!(pitch > 0.0 && pitch < 1e300))
+  {
+    return;
+  }
+  SampleRaster raster;
+  raster.origin = { bounds.xmin - pitch, bounds.ymax + pitch };
+  raster.spacing = { pitch, -pitch };
+  raster.columns = raster.rows = 40;
+  const Point last = raster.at(39, 39);
+  TilesWay way;
+  way.most = most;
+  way.extent = { raster.origin.x, last.x, last.y, raster.origin.y };
+  way.lines = linesOf(given, FillRule::Orientation);
+  TilesRun run(viewOf(given.points), way);
+  for (const std::int64_t method :
+    { AHD_SAMPLE_LINEAR, AHD_SAMPLE_NATURAL_NEIGHBOR, AHD_SAMPLE_LAPLACE })
+  {
+    JobRun job;
+    job.setPoints(viewOf(given.points));
+    job.setConstraints(given.constraints.view());
+    job.set("sample_method", method);
+    job.set("maximum_edge_length", longest * pitch);
+    ASSERT_EQ(job.run(), AHD_OK) << ahd_message(job.job());
+    if (job.count("delaunay_triangles") == 0)
+    {
+      return; // constraints do nothing
+    }
+    const Cells whole = sample(job, ids, raster);
+    Cells tiled{ std::vector<double>(1600), std::vector<std::uint8_t>(1600) };
+    for (std::size_t leaf = 0; leaf != run.plan().leaves(); ++leaf)
+    {
+      const SampleRaster piece = run.plan().pieceOf(raster, leaf);
+      const Cells part = sampleLeaf(run, leaf, piece, method, longest * pitch);
+      for (std::size_t k = 0; k != part.mask.size(); ++k)
+      {
+        const std::size_t at = (piece.firstRow + k / piece.columns) * 40 + piece.firstColumn +
+          k % piece.columns;
+        tiled.values[at] = part.values[k];
+        tiled.mask[at] = part.mask[k];
+      }
+    }
+    std::size_t wrong = 0;
+    for (std::size_t k = 0; k != 1600; ++k)
+    {
+      wrong += std::memcmp(&tiled.values[k], &whole.values[k], sizeof(double)) != 0 ? 1 : 0;
+    }
+    EXPECT_EQ(wrong, 0u) << name << ", method " << method << ", longest " << longest << ", "
+                         << run.plan().leaves() << " leaves";
+    EXPECT_EQ(tiled.mask, whole.mask) << name;
+  }
+}
+
+TEST(TilesLines, RastersAreThoseOfOneRun)
+{
+  for (const Named& one : largeCases())
+  {
+    for (const double longest : { 0.0, 3.0 })
+    {
+      expectTheRaster(one.given, 60, longest, one.name);
+    }
+  }
+  for (std::uint64_t seed = 0; seed != reduced(150); ++seed)
+  {
+    expectTheRaster(smallConstraintCase(seed), 1 + seed % 3, 0.0, "case " + std::to_string(seed));
+  }
+}
+
+} // namespace
+} // namespace test
+} // namespace ahd
