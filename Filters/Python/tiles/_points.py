@@ -4,9 +4,10 @@ where the leaves are, and each point to the file of its leaf."""
 
 from __future__ import annotations
 
+import contextlib
 import itertools
 import os
-from typing import Any, Callable, Dict, Iterator, NamedTuple, Optional, Sequence, Set, Tuple
+from typing import Any, Callable, Dict, Generator, Iterator, NamedTuple, Optional, Sequence, Set, Tuple
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from ._errors import BadFile, NoSurface
 from ._leaves import Leaves
 from ._lines import Chains
 from ._store import STARTED, Store, failing, sync
+from ._work import ahead
 
 Tell = Callable[[int], Any]  # how many points more are done
 
@@ -102,8 +104,14 @@ class Points:
         low, high = np.min([box[0] for box in boxes], axis=0), np.max([box[1] for box in boxes], axis=0)
         return np.array([low[0], high[0], low[1], high[1]]) if (low <= high).all() else None
 
-    def batches(self, start: Place = Place()) -> Iterator[Batch]:
+    @contextlib.contextmanager
+    def batches(self, start: Place = Place()) -> Iterator[Iterator[Batch]]:
         """All points from there on. BadFile."""
+        made = self._batches(start)
+        with contextlib.closing(made if self.threads == 1 else ahead(made)) as found:
+            yield found
+
+    def _batches(self, start: Place) -> Generator[Batch, None, None]:
         before = start.before
         if start == Place():
             self.not_finite = self.other_class = 0
@@ -198,15 +206,16 @@ def _count(points: Points, leaves: Leaves, most: int, extent: Callable[[Any], An
     leaves.begin(guess)
     for number in itertools.count(1):
         box, kept, spread = [np.inf, -np.inf, np.inf, -np.inf], 0, _Spread()
-        for batch in points.batches():
-            xyz = batch.records["xyz"] if points.kind == XYZ else np.ascontiguousarray(batch.records["xyz"])
-            kept += len(xyz)
-            if len(xyz):
-                leaves.count_points(xyz)
-                for k, x in enumerate((xyz[:, 0], xyz[:, 1])):  # an axis of its own is many times as fast
-                    box[2 * k : 2 * k + 2] = min(box[2 * k], x.min()), max(box[2 * k + 1], x.max())
-                spread.add(xyz[:, :2])
-            tell(batch.read)
+        with points.batches() as batches:
+            for batch in batches:
+                xyz = np.ascontiguousarray(batch.records["xyz"])
+                kept += len(xyz)
+                if len(xyz):
+                    leaves.count_points(xyz)
+                    for k, x in enumerate((xyz[:, 0], xyz[:, 1])):  # an axis of its own is many times as fast
+                        box[2 * k : 2 * k + 2] = min(box[2 * k], x.min()), max(box[2 * k + 1], x.max())
+                    spread.add(xyz[:, :2])
+                tell(batch.read)
         _check_surface(points, kept, spread)
         bounds = float(box[0]), float(box[1]), float(box[2]), float(box[3])
         if not leaves.end_pass(most, extent(bounds)):
@@ -245,17 +254,18 @@ def scatter(points: Points, leaves: Leaves, store: Store, tell: Tell) -> None:
             with open(_leaf_file(store, leaf), "ab") as file:
                 file.truncate(size)
         tell(place.before + place.read)
-        for batch in points.batches(place):
-            for leaf, records in _by_leaf(batch.records, leaves, len(sizes)):
-                with open(_leaf_file(store, leaf), "ab") as file:
-                    file.write(records.tobytes())
-                sizes[leaf] += records.nbytes
-                dirty.add(leaf)
-            place, since = batch.place, since + batch.read
-            if since >= COMMIT:
-                _commit(store, dirty, {"place": place, "sizes": sizes, "isDone": False})
-                since = 0
-            tell(batch.read)
+        with points.batches(place) as batches:
+            for batch in batches:
+                for leaf, records in _by_leaf(batch.records, leaves, len(sizes)):
+                    with open(_leaf_file(store, leaf), "ab") as file:
+                        file.write(records.tobytes())
+                    sizes[leaf] += records.nbytes
+                    dirty.add(leaf)
+                place, since = batch.place, since + batch.read
+                if since >= COMMIT:
+                    _commit(store, dirty, {"place": place, "sizes": sizes, "isDone": False})
+                    since = 0
+                tell(batch.read)
         _commit(store, dirty, {"place": place, "sizes": sizes, "isDone": True})
 
 

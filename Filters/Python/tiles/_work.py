@@ -4,11 +4,54 @@
 from __future__ import annotations
 
 import queue
+import threading
 from collections import deque
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
-from typing import Any, Callable, Deque, Dict, Iterable, List, Mapping, Sequence
+from typing import Any, Callable, Deque, Dict, Generator, Iterable, List, Mapping, Sequence, TypeVar
 
 from ._leaves import Leaves
+
+Item = TypeVar("Item")
+
+
+def ahead(items: Iterable[Item], depth: int = 2) -> Generator[Item, None, None]:
+    """The same items, made by a thread of their own, at most so many before they are asked for. To be closed, so that
+    the thread ends."""
+    made: "queue.Queue[Any]" = queue.Queue(depth)
+    isOver = threading.Event()
+
+    def put(*what: Any) -> bool:
+        while not isOver.is_set():
+            try:
+                made.put(what, timeout=0.1)
+                return True
+            except queue.Full:
+                continue
+        return False
+
+    def make() -> None:
+        try:
+            if all(put(item) for item in items):
+                put()
+        except BaseException as error:
+            put(None, error)
+
+    thread = threading.Thread(target=make, name="tiles")
+    thread.start()
+    try:
+        while True:
+            try:
+                got = made.get(timeout=1.0)  # not for ever: Ctrl-C on Windows
+            except queue.Empty:
+                continue
+            if len(got) != 1:
+                if got:
+                    raise got[1]
+                return
+            yield got[0]
+    finally:
+        isOver.set()
+        thread.join()
 
 
 class Workers:
