@@ -89,9 +89,8 @@ class Finish:
         if self.wanted.pieces is None:
             return np.empty((0, 3), np.int64)
         triangles = leaves.array("triangles").reshape(-1, 3)
-        triangles = triangles[triangles[:, 0] < len(own)]
-        made: np.ndarray = np.concatenate((self.begins[leaf] + np.arange(len(own)), numbers))[triangles]
-        return made
+        triangles = triangles.compress(triangles[:, 0] < len(own), axis=0)
+        return np.concatenate((self.begins[leaf] + np.arange(len(own)), numbers)).take(triangles)
 
     def _records(self, numbers: np.ndarray) -> np.ndarray:
         """Of points of any leaves."""
@@ -117,18 +116,19 @@ class Finish:
     def _piece(self, group: range, triangles: np.ndarray) -> _pvtp.Piece:
         """Corners of the triangles become the points of a piece: those of its leaves, then others, both in the order of
         their numbers."""
-        begin, end = self.begins[group[0]], self.begins[group[-1] + 1]
-        isOwn = (begin <= triangles) & (triangles < end)
-        isUsed = np.zeros(end - begin, bool)
-        isUsed[triangles[isOwn] - begin] = True
-        own = np.flatnonzero(isUsed)
-        others, places = np.unique(triangles[~isOwn], return_inverse=True)
-        corners = np.empty(triangles.shape, np.int32)
-        corners[isOwn] = (np.cumsum(isUsed, dtype=np.int32) - 1)[triangles[isOwn] - begin]
-        corners[~isOwn] = len(own) + places.ravel()
+        begin, size = self.begins[group[0]], self.begins[group[-1] + 1] - self.begins[group[0]]
+        corners = triangles.ravel() - begin
+        far = np.flatnonzero((corners < 0) | (corners >= size))
+        others, places = np.unique(corners[far] + begin, return_inverse=True)
+        corners[far] = size
+        isUsed = np.zeros(size + 1, bool)
+        isUsed[corners] = True
+        own = np.flatnonzero(isUsed[:size])
+        corners = (np.cumsum(isUsed, dtype=np.int32) - np.int32(1)).take(corners)
+        corners[far] = len(own) + places.ravel()
         parts = [records_of(self.store, leaf, self.kind) for leaf in group]
         records = np.concatenate((np.concatenate(parts).take(own), self._records(others)))
         columns: Dict[str, np.ndarray] = {"z": np.ascontiguousarray(records["xyz"][:, 2])}
         columns.update((name, np.ascontiguousarray(records[name])) for name in self.wanted.names)
         columns[_pvtp.IDS] = np.ascontiguousarray(records["id"])
-        return _pvtp.Piece(np.ascontiguousarray(records["xyz"]), columns, corners)
+        return _pvtp.Piece(np.ascontiguousarray(records["xyz"]), columns, corners.reshape(-1, 3))

@@ -16,8 +16,8 @@ from ._errors import NoRoom
 from ._finish import CELLS
 from ._points import Counted
 
-# Measured, as are the times (seconds a point or cell on one core); Filters/Python/tiles/README.md has the table.
-_BASE = 120e6  # bytes: Python, libraries, a chunk of points that is read
+# Measured, as are the times (seconds a point or cell on one core); Filters/Python/Tiles.md has more.
+_BASE = 150e6  # bytes: Python, libraries, a chunk of points that is read
 _LEAF = 250.0  # bytes for each point of a leaf that a thread is at work on
 _CELL = 22.0  # and for each of its cells
 _PIECE = 190.0  # and for each point of a piece of a TIN

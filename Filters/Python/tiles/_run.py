@@ -234,6 +234,8 @@ class Run:
         def ended(part: int) -> List[int]:
             done.add(part)
             if part >= count_:
+                for folder in ("border", "share"):
+                    sync(store.path(folder))
                 for one in parts[part]:
                     store.remove("border", str(one))
             self.tell(1)
@@ -282,3 +284,4 @@ class Run:
                 sync(os.path.dirname(self.folder))
         names = ["%s/%d.vtp" % (os.path.basename(self.folder), group[0]) for group in groups]
         _pvtp.write_list(self.options.tin, names, finish.kinds())
+        sync(os.path.dirname(self.folder))

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The work folder: files that are there whole or not at all, so that a run that ended at any moment can go on.
 
-A file is written under another name, closed, on the disk, and renamed; then its folder is. What is there is done, what
-ends in ".part" is not. `manifest.json` says of which files and settings the folder is.
+A file is written under another name, closed, on the disk, and renamed. What is there is done, what ends in ".part" is
+not. A power cut may take renames back, which costs their work; so before a file is removed because of another, the
+folder of that is synced. `manifest.json` says of which files and settings the work folder is.
 """
 
 from __future__ import annotations
@@ -44,7 +45,6 @@ def written(path: str) -> Iterator[IO[bytes]]:
             file.flush()
             os.fsync(file.fileno())
         os.replace(made, path)
-        sync(os.path.dirname(path) or ".")
     except BaseException as error:
         with contextlib.suppress(OSError):
             os.remove(made)
