@@ -11,7 +11,7 @@ from typing import Any, Optional, Sequence
 
 from .._sampling import METHODS
 from . import make
-from ._errors import INTERRUPTED, TilesError
+from ._errors import INTERRUPTED, NoRoom, TilesError
 from ._options import DUPLICATES, LEAF, PIECE, GeoTiff
 from ._plan import Plan, bytes_of, time_said
 
@@ -102,6 +102,8 @@ def main(given: Sequence[str]) -> int:
         return _ended(bar, "interrupted: what was done is kept; the same command with --resume goes on", INTERRUPTED)
     except TilesError as error:
         return _ended(bar, str(error), error.exit_code)
+    except MemoryError as error:  # the library's, too
+        return _ended(bar, str(error) or "there is not enough memory", NoRoom.exit_code)
     bar.end()
     for said in made.skipped.values():
         print("left out: " + said, file=sys.stderr)

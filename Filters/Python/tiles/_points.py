@@ -119,7 +119,7 @@ class Points:
             if number < start.file:
                 continue
             read = start.read if number == start.file else 0
-            for chunk in _read.chunks_of(path, read, self.threads):
+            for chunk in _read.chunks_of(path, self.heads[path], read, self.threads):
                 read += len(chunk.xyz)
                 first = before + read - len(chunk.xyz)
                 yield Batch(self._kept(path, chunk, first), len(chunk.xyz), Place(number, read, before))

@@ -270,10 +270,9 @@ def head_of(path: str) -> Head:
         return reader_of(path).head(path)  # type: ignore[no-any-return]
 
 
-def chunks_of(path: str, start: int = 0, threads: int = 1) -> Iterator[Chunk]:
-    """BadFile, also where there are fewer or more points than the file says, or some out of its bounds. All is looked
-    at only if `start` is 0."""
-    head, count = head_of(path), start
+def chunks_of(path: str, head: Head, start: int = 0, threads: int = 1) -> Iterator[Chunk]:
+    """BadFile, also where there are fewer or more points than the head says, or some out of its bounds."""
+    count = start
     with _named(path):
         for chunk in reader_of(path).chunks(path, start, ROWS, threads):
             count += len(chunk.xyz)

@@ -85,6 +85,7 @@ class Run:
         self._check_some()
         crs = None if options.raster is None else options.raster.crs if options.raster.crs is not None else points.crs
         self.system = _tiff.system(crs) if options.raster else None
+        self.store.clear()
         self._check_outputs()
         self.store.begin(self.files, self._settings(), options.resume)
         leaves = Leaves()

@@ -21,6 +21,7 @@ from ._errors import BadOptions, WriteFailed
 
 PART = ".part"
 STARTED = "scatter.json"  #: of a run that has done more than count
+ENDED = "ended"  #: of one whose results are there
 
 
 def sync(path: str) -> None:
@@ -114,8 +115,22 @@ class Store:
 
     def end(self) -> None:
         """The work is done: nothing of the folder is left."""
-        self.remove("manifest.json")  # first, so that a half-removed folder is no run's
-        shutil.rmtree(self.folder, ignore_errors=True)
+        with written(self.path(ENDED)):
+            pass
+        self.clear()
+
+    def clear(self) -> None:
+        """Removes what a run left that was at its end; the mark of that goes last."""
+        if not self.has(ENDED):
+            return
+        for name in os.listdir(self.folder):
+            if os.path.isdir(self.path(name)):
+                shutil.rmtree(self.path(name), ignore_errors=True)
+            elif name != ENDED:
+                self.remove(name)
+        self.remove(ENDED)
+        with contextlib.suppress(OSError):
+            os.rmdir(self.folder)
 
 
 @contextlib.contextmanager

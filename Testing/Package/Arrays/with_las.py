@@ -43,7 +43,8 @@ class LasTest(TilesTest):
 
     def places(self, *names):
         """As laspy has them, the units of which are hundredths."""
-        return np.concatenate([chunk.xyz for name in names for chunk in _read.chunks_of(self.at(name))])
+        paths = [self.at(name) for name in names]
+        return np.concatenate([chunk.xyz for path in paths for chunk in _read.chunks_of(path, _read.head_of(path))])
 
     def test_triangles_and_data(self):
         files = [self.las("a.las", slice(0, 500)), self.las("b.laz", slice(500, None))]
