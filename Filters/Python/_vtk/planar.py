@@ -21,10 +21,9 @@ _STEP = _U(0x9E3779B97F4A7C15)
 
 def bits(seed, first, count):
     """The numbers `first`, ... of the generator (splitmix64) with this seed, of 64 bits."""
-    with numpy.errstate(over="ignore"):
-        z = _U(seed) + (numpy.arange(first + 1, first + 1 + count, dtype=_U)) * _STEP
-        z = (z ^ (z >> _U(30))) * _U(0xBF58476D1CE4E5B9)
-        z = (z ^ (z >> _U(27))) * _U(0x94D049BB133111EB)
+    z = _U(seed) + (numpy.arange(first + 1, first + 1 + count, dtype=_U)) * _STEP
+    z = (z ^ (z >> _U(30))) * _U(0xBF58476D1CE4E5B9)
+    z = (z ^ (z >> _U(27))) * _U(0x94D049BB133111EB)
     return z ^ (z >> _U(31))
 
 

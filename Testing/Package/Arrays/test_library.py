@@ -193,6 +193,12 @@ class JobTest(unittest.TestCase):
         self.assertRegex(str(caught.exception), words)
         return caught.exception
 
+    def test_each_error_has_a_status_of_its_kind(self):
+        for kind in set(library.ERRORS.values()):
+            self.assertIs(library.ERRORS[kind("without one").status], kind)
+            self.assertEqual(kind("with one", library.BUSY).status, library.BUSY)
+        self.assertEqual(library.Fault("without one").status, library.FAILED)
+
     def test_refused(self):
         job, refuse = self.job, self.refuse
         self.assertIsInstance(refuse(library.UNKNOWN_NAME, "colour", lambda: job.set(colour=1)), ValueError)
