@@ -106,7 +106,11 @@ class Campaign:
         return sorted(those, key=lambda test: ("hash" in test.lower(), self.usual[test][0] / (1 + noticed[test])))
 
     def run(self, part, fault):
-        """The result of a fault: `test` and `failure` are empty if it survived; None if it does not compile."""
+        """The result of a fault: `test` and `failure` are empty if it survived; None if it does not compile, or if
+        nothing of its file is compiled or loaded here.
+        """
+        if not any(fault.file in facts["counted"] for _, facts in self.usual.values()):
+            return None
         result = {**dataclasses.asdict(fault), "test": "", "failure": "", "seconds": 0.0}
         result["date"] = datetime.date.today().isoformat()
         try:

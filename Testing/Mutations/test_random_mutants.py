@@ -3,6 +3,7 @@
 
 import argparse
 import contextlib
+import dataclasses
 import io
 import json
 import os
@@ -216,7 +217,8 @@ class Part:
 
     def measure(self, test, limit):
         self.measured += 1
-        return self.run(test, limit), {"executed": {"part/module.py": [1, 2, 3]}, "counted": {}}
+        lines = {"part/module.py": [1, 2, 3]}
+        return self.run(test, limit), {"executed": lines, "counted": lines}
 
     def digest(self):
         return "of the same sources"
@@ -251,6 +253,13 @@ class CampaignTest(unittest.TestCase):
         self.assertTrue([failure for failure in failures if "time limit" in failure], failures)  # for ever
         self.assertEqual((self.root / "part" / "module.py").read_text(), MODULE)
         self.check_report(campaign, results)
+
+    def test_a_file_that_is_not_compiled_here_has_no_faults(self):
+        campaign, _ = self.campaign(0)
+        fault = next(planting.draw(self.root, "part", 1))
+        self.assertIsNotNone(campaign.run(self.part, fault))
+        other = dataclasses.replace(fault, file="part/of_another_system.py")
+        self.assertIsNone(campaign.run(self.part, other))
 
     def test_it_goes_on_where_it_was_stopped(self):
         _, first = self.campaign(4)
