@@ -21,8 +21,8 @@ set(ahd_engine_headers Triangulate.h Options.h Constraints.h Result.h
   Merge/Merge.h Outline/Outline.h Points/JoinedBounds.h Points/Points.h Prepare/ClosedLines.h Prepare/Prepare.h
   Prepare/Stacks.h
   Surface/CellArrays.h Surface/FindTriangles.h Surface/Footprint.h Surface/Means.h Surface/OrderDrawing.h Surface/Plane.h Surface/PlaneFit.h
-  Surface/Selection.h Surface/Vectors.h Predicates/Predicates.h Refine/Refine.h
-  Interface/ahd.h Interface/ahd_edit.h Interface/ahd_messages.h Interface/ahd_outline.h Interface/ahd_refine.h Interface/ahd_sample.h Interface/ahd_tiles.h Job/ArrayRows.h Job/CheckedMemory.h Job/Messages.h Job/OutlineRun.h Job/Run.h Job/RunMemory.h
+  Surface/Selection.h Surface/Vectors.h Predicates/Predicates.h Refine/Refine.h Refine/RefinedMesh.h
+  Interface/ahd.h Interface/ahd_edit.h Interface/ahd_messages.h Interface/ahd_outline.h Interface/ahd_refine.h Interface/ahd_sample.h Interface/ahd_tiles.h Job/ArrayRows.h Job/CheckedMemory.h Job/Messages.h Job/OutlineRun.h Job/RefineRun.h Job/Run.h Job/RunMemory.h
   Job/ReportRows.h
   Job/RunProgress.h Job/RunReport.h Job/RunSettings.h Job/SettingRows.h Job/Settings.h Job/SpacePoints.h
   Job/WantedArrays.h Job/Words.h

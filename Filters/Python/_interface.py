@@ -192,12 +192,19 @@ class RefineRequest(ctypes.Structure):
 
 class RefineReport(ctypes.Structure):
     _fields_ = [(name, ctypes.c_uint64) for name in (
-        "points", "on_segments", "triangles", "ids", "chains", "lines", "bad", "encroached_pieces")]  # fmt: skip
+        "points", "on_segments", "triangles", "ids", "chains", "lines", "bad", "encroached_pieces", "pieces",
+        "inner_pieces", "memory_needed", "memory_allowed")]  # fmt: skip
 
 
 class Refined(ctypes.Structure):
     _fields_ = [(name, ctypes.c_void_p) for name in (
-        "places", "corners", "weights", "ids", "offsets", "bad", "reasons")]  # fmt: skip
+        "places", "corners", "weights", "ids", "offsets", "bad", "reasons", "pieces", "piece_edges",
+        "piece_cells")]  # fmt: skip
+
+
+class RefinedTriangles(ctypes.Structure):
+    _fields_ = [("corners", ctypes.c_void_p), ("count", ctypes.c_uint64), ("regions", ctypes.c_void_p),
+                ("bad", ctypes.c_void_p), ("least_angle", ctypes.c_double)]  # fmt: skip
 
 
 class Bytes(ctypes.Structure):
@@ -267,6 +274,7 @@ def _signatures() -> Dict[str, Tuple[Any, List[Any]]]:
         "ahd_within_radius": (status, [job, double, pointer]),
         "ahd_refine": (status, [job, to(RefineRequest), to(RefineReport)]),
         "ahd_refine_write": (status, [job, to(Refined)]),
+        "ahd_refine_triangles": (status, [job, to(RefinedTriangles)]),
         "ahd_edit_insert": (status, [job, pointer, u64, to(i64)]),
         "ahd_edit_remove": (status, [job, pointer, u64, pointer]),
         "ahd_edit_move": (status, [job, pointer, pointer, u64, pointer]),

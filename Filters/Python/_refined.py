@@ -15,7 +15,7 @@ from ._input import DEFAULTS, Request, real_of
 from ._made import frozen
 from ._names import by_any_name
 from ._raster import real_numbers
-from ._segments import Segments, rows_with
+from ._segments import Segments
 from ._simplified import Simplified
 
 if TYPE_CHECKING:
@@ -110,7 +110,7 @@ class Mesh:
         """(m, ...): the values of all points, of those at the points that were given, as for
         `Triangulation.interpolate`: linear along segments and in the triangles of before."""
         given = self._refined.interpolate(values)
-        return np.concatenate((given, _spread(given, self.corners, self.weights)))
+        return np.concatenate((given, spread(given, self.corners, self.weights)))
 
     def __repr__(self) -> str:
         return "<Mesh of %d points, %d of them new: %d triangles>" % (
@@ -190,8 +190,8 @@ class Refined(Simplified):
         if wished is not None:
             request.sizes = library.address_of(wished)
         with self._locked():
-            found = _Found(self._engine(), request, wished)
-        return self._mesh(found)
+            job = self._engine()
+            return self._mesh(Found(job, request, wished), job)
 
     def _wished(self, sizes: Any) -> Optional[np.ndarray]:
         """One number for each point, contiguous."""
@@ -205,33 +205,27 @@ class Refined(Simplified):
             raise ValueError("sizes must be one number for each of %d points, not of shape %s" % (count, wished.shape))
         return np.ascontiguousarray(wished if callable(sizes) else self.interpolate(wished))
 
-    def _mesh(self, found: _Found) -> Mesh:
+    def _mesh(self, found: Found, job: library.Job) -> Mesh:
         isPlain = self._request.settings["plane"] == library.PLANE_XY
         segments = Segments(self._request, self.point_status, self.plane_points)
         run = self._run_with(found, isPlain)
-        edges, ends = found.pieces(self._counts["points"])
-        triangles = run.triangles
-        space = self.points.astype(np.float64)
-        points = run.points if isPlain else _joined(space, found)
-        before = rows_with(self.triangles, np.concatenate((ends, ends[:, ::-1])))
-        rows = rows_with(triangles, np.concatenate((edges, edges[:, ::-1], found.bad[:, :2])))
-        sides, bad = rows[: len(before)], rows[len(before) :]
-        regions = _renumbered(run.regions, self.regions, np.stack((before, sides)))
-        isEdge = (sides.reshape(2, -1) >= 0).any(axis=0)  # else a constraint outside of the triangles
-        ids, markers, corners, bad = (array.astype(self._dtype) for array in (
-            edges[isEdge], segments.of(ends)[isEdge], found.corners, bad))  # fmt: skip
-        arrays = (points, triangles, regions, ids, markers, found.isBorder[isEdge], corners, found.weights, bad,
-                  found.reasons)  # fmt: skip
+        points = run.points if isPlain else _joined(self.points.astype(np.float64), found)
+        regions, bad, _ = found.described(job, run.triangles, run.regions)
+        regions, ids, markers, corners, bad = (array.astype(self._dtype) for array in (
+            regions, found.pieces, found.marked(segments), found.corners, bad))  # fmt: skip
+        onBoundary = np.arange(len(ids)) >= found.report.inner_pieces
+        arrays = (points, run.triangles, regions, ids, markers, onBoundary, corners, found.weights, bad, found.reasons)
         members: Any = (*map(frozen, arrays), int(found.report.encroached_pieces), run, self)
         return Mesh(*members)
 
-    def _run_with(self, found: _Found, isPlain: bool) -> Triangulation:
-        """The triangulation of the vertices and the new points, with the pieces of segments."""
+    def _run_with(self, found: Found, isPlain: bool) -> Triangulation:
+        """The triangulation of the vertices and the new points, with the pieces of segments; of nothing where loops
+        leave nothing, as there are no pieces then that would leave it out."""
         points = _joined((self.points if isPlain else self.plane_points).astype(np.float64), found)
         points[len(points) - len(found.places) :, :2] = found.places
         status = self.point_status
         skip = np.zeros(len(points), np.bool_)
-        skip[: len(status)] = status != np.arange(len(status))
+        skip[: len(status)] = (status != np.arange(len(status))) | (found.report.triangles == 0)
         settings = {**DEFAULTS, **{name: self._request.settings[name] for name in ("threads", "memory_limit")}}
         request = Request(points, skip, None, {}, "xy", settings)
         for kind, chains in found.chains().items():
@@ -240,19 +234,29 @@ class Refined(Simplified):
         return made
 
 
-class _Found:
+class Found:
     """What the library found for a request."""
 
-    def __init__(self, job: library.Job, request: library.RefineRequest, wished: Optional[np.ndarray]) -> None:
-        self.report = report = library.RefineReport()
+    def __init__(
+        self,
+        job: library.Job,
+        request: library.RefineRequest,
+        wished: Optional[np.ndarray],
+        report: Optional[library.RefineReport] = None,
+    ) -> None:
+        """What became of it goes to `report`, also where it fails."""
+        self.report = report = library.RefineReport() if report is None else report
         with job._with_memory(0 if wished is None else wished.nbytes):
             job._call("ahd_refine", request, report, arrays=() if wished is None else (wished,))
-        self.places, self.corners = np.empty((report.points, 2)), np.empty((report.points, 3), np.int64)
-        self.weights, self.ids = np.empty((report.points, 3)), np.empty(report.ids, np.int64)
-        self.offsets, self.bad = np.empty(report.chains + 1, np.int64), np.empty((report.bad, 3), np.int64)
-        self.reasons = np.empty(report.bad, np.int32)
-        arrays = (self.places, self.corners, self.weights, self.ids, self.offsets, self.bad, self.reasons)
-        job._call("ahd_refine_write", library.Refined(*map(library.address_of, arrays)), arrays=arrays)
+        points, pieces = report.points, report.pieces
+        self.places, self.corners, self.weights = np.empty((points, 2)), _ids(points, 3), np.empty((points, 3))
+        self.ids, self.offsets, self.reasons = _ids(report.ids), _ids(report.chains + 1), np.empty(report.bad, np.int32)
+        self.pieces, self.edges, self.cells = _ids(pieces, 2), _ids(pieces, 2), _ids(pieces)
+        arrays = (self.places, self.corners, self.weights, self.ids, self.offsets, None, self.reasons, self.pieces,
+                  self.edges, self.cells)  # fmt: skip
+        written = [array for array in arrays if array is not None]
+        to = library.Refined(*(None if array is None else library.address_of(array) for array in arrays))
+        job._call("ahd_refine_write", to, arrays=written)
 
     def chains(self) -> Dict[str, Tuple[np.ndarray, np.ndarray]]:
         """The lines and the loops of a run with the new points: ids and offsets."""
@@ -261,22 +265,29 @@ class _Found:
         return {"line": (self.ids[:first], self.offsets[: lines + 1]),
                 "loop": (self.ids[first:], self.offsets[lines:] - first)}  # fmt: skip
 
-    def pieces(self, count: int) -> Tuple[np.ndarray, np.ndarray]:
-        """The pieces of chains, and for each the ends of the edge that it lies on, in its direction, which are among
-        the first `count` ids."""
-        to = np.append(self.ids[1:], 0)[: len(self.ids)]
-        to[self.offsets[1:] - 1] = self.ids[self.offsets[:-1]]
-        isPiece = np.ones(len(to), np.bool_)
-        isPiece[self.offsets[1 : self.report.lines + 1] - 1] = False
-        self.isBorder = np.arange(len(to))[isPiece] >= self.offsets[self.report.lines]
-        rows, end = np.arange(len(to)), len(to)
-        begin = np.maximum.accumulate(np.where(self.ids < count, rows, 0))
-        last = np.minimum.accumulate(np.where(to < count, rows, end)[::-1])[::-1]
-        made = np.stack((self.ids, to, self.ids[begin], to[last]), axis=1)[isPiece]
-        return made[:, :2], made[:, 2:]
+    def marked(self, segments: Segments) -> np.ndarray:
+        """(e, 2): chain and segment of each piece. Segments may go on outside of the triangles."""
+        ends = np.stack((self.offsets[:-1], self.offsets[1:] - 1), axis=1)[: self.report.lines]
+        return segments.within(np.concatenate((self.edges, self.ids[ends])), self.cells)
+
+    def described(
+        self, job: library.Job, triangles: np.ndarray, regions: np.ndarray
+    ) -> Tuple[np.ndarray, np.ndarray, float]:
+        """Of the triangles of that run and their regions: the regions of before, the rows of those that are not as
+        wished, and the least angle in degrees."""
+        corners, numbers = np.ascontiguousarray(triangles, np.int32), regions.astype(np.int64)
+        arrays = corners, numbers, bad = corners, numbers, _ids(self.report.bad)
+        at = [library.address_of(array) for array in arrays]
+        to = library.RefinedTriangles(at[0], len(corners), at[1], at[2])
+        job._call("ahd_refine_triangles", to, arrays=arrays)
+        return numbers, bad, to.least_angle
 
 
-def _spread(values: np.ndarray, corners: np.ndarray, weights: np.ndarray) -> np.ndarray:
+def _ids(*shape: int) -> np.ndarray:
+    return np.empty(shape, np.int64)
+
+
+def spread(values: np.ndarray, corners: np.ndarray, weights: np.ndarray) -> np.ndarray:
     """Sums of rows of `values` times weights, always in the same order."""
     at = np.where(corners < 0, corners[:, :1], corners)
     shape = (-1,) + (1,) * (values.ndim - 1)
@@ -285,18 +296,8 @@ def _spread(values: np.ndarray, corners: np.ndarray, weights: np.ndarray) -> np.
     return made
 
 
-def _joined(values: np.ndarray, found: _Found) -> np.ndarray:
-    return np.concatenate((values, _spread(values, found.corners, found.weights)))
-
-
-def _renumbered(regions: np.ndarray, before: np.ndarray, rows: np.ndarray) -> np.ndarray:
-    """Regions of triangles with the numbers of before. `rows`, (2, k): triangles of before and new ones on the same
-    side of the same segment, -1 where there is none; each region has such a one."""
-    old, new = rows[:, (rows >= 0).all(axis=0)]
-    numbers = np.zeros(int(regions.max(initial=-1)) + 1, regions.dtype)
-    numbers[regions[new]] = before[old]
-    made: np.ndarray = numbers[regions]
-    return made
+def _joined(values: np.ndarray, found: Found) -> np.ndarray:
+    return np.concatenate((values, spread(values, found.corners, found.weights)))
 
 
 def _limit(name: str, value: Any) -> float:

@@ -10,15 +10,6 @@ import numpy as np
 from ._input import Request
 
 
-def rows_with(triangles: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """For each directed edge the row of the triangle on its left, or -1."""
-    froms, to = triangles.astype(np.int64), np.roll(triangles, -1, axis=1).astype(np.int64)
-    keys = (froms << 32 | to).ravel()
-    order = np.argsort(keys, kind="stable")
-    wanted = edges[:, 0].astype(np.int64) << 32 | edges[:, 1]
-    return _found(keys[order], wanted, order // 3)
-
-
 def _found(ascending: np.ndarray, wanted: np.ndarray, values: np.ndarray) -> np.ndarray:
     """The value of each wanted key, -1 where there is no such key."""
     if not len(ascending):
@@ -68,6 +59,16 @@ class Segments:
             rows = np.where((found >= 0) & ((rows < 0) | (found < rows)), found, rows)
             self._take_parts(broken, edges, rows)
         made: np.ndarray = np.append(self._numbers, [[-1, -1]], axis=0)[rows]
+        return made
+
+    def within(self, edges: np.ndarray, chains: np.ndarray) -> np.ndarray:
+        """The same, where the chain is known. Points that were added are rounded: of several chains along them, the
+        one that passes them."""
+        made = self.of(edges)[: len(chains)]
+        for edge in np.flatnonzero(made[:, 0] != chains).tolist():
+            rows = np.flatnonzero(self._numbers[:, 0] == chains[edge]).tolist()
+            row = next((row for row in rows if self._test_of(row)(edges[edge]).all()), -1)
+            made[edge] = self._numbers[row] if row >= 0 else (chains[edge], -1) if rows else -1
         return made
 
     def _through(self, rows: np.ndarray, edges: np.ndarray) -> Tuple[np.ndarray, List[int]]:

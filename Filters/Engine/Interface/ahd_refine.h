@@ -16,8 +16,9 @@
  * What loops keep of the triangles is refined. Segments are the constraint edges and the edges
  * where that ends: split crossings before. A run of the points and the added ones, with the chains
  * written as arrays line_ids and loop_ids and fill_rule AHD_FILL_EVEN_ODD, gives the refined
- * triangles; points skipped or left out must be skipped again. It is the same for any order of the
- * input. Triangles that do not meet the request are named.
+ * triangles; points skipped or left out must be skipped again, and all if no triangle is kept, as
+ * there are no chains then. It is the same for any order of the input. Triangles that do not meet
+ * the request are named.
  *
  * Of the settings, memory_limit and other_memory apply.
  */
@@ -52,6 +53,10 @@ typedef struct ahd_refine_report
   uint64_t ids, chains, lines; /* of the pieces: the first `lines` chains are lines, others loops */
   uint64_t bad;                /* triangles that do not meet the request */
   uint64_t encroached_pieces;  /* pieces of segments that could not be split */
+  uint64_t pieces;             /* of segments, that are edges of the triangles, */
+  uint64_t inner_pieces;       /* of these, with triangles on both sides: they come first */
+  uint64_t memory_needed;      /* bytes, estimated before it, and requested meanwhile */
+  uint64_t memory_allowed;     /* bytes, the limit that was compared */
 } ahd_refine_report;
 
 /* Where to write; null: not. Point k that is added has the id n + k after n output points. */
@@ -64,9 +69,24 @@ typedef struct ahd_refined
   int64_t* offsets; /* chains + 1 */
   int64_t* bad;     /* three ids of each bad triangle, */
   int32_t* reasons; /* and AHD_REFINE_... */
+  /* Of each piece; those that bound the triangles have them on the left: */
+  int64_t* pieces;      /* two ids, */
+  int64_t* piece_edges; /* those at the ends of the edge before that it lies on, */
+  int64_t* piece_cells; /* and the first cell of the source along it, as in crossing_cells; -1 */
 } ahd_refined;
 
+/* The triangles of a run with the added points, as above. */
+typedef struct ahd_refined_triangles
+{
+  const int32_t* corners; /* three ids each */
+  uint64_t count;
+  int64_t* regions;   /* null, or those of that run: they become those of this job */
+  int64_t* bad;       /* null, or where to write the numbers of the bad triangles */
+  double least_angle; /* written: in degrees, to rounding */
+} ahd_refined_triangles;
+
 /* Finds the points; discards those found before. A callback gets the fraction 0 until it ends.
+ * The report has what is known where it fails, too.
  * AHD_NOT_AVAILABLE, AHD_BAD_VALUE: what of the request is refused, or insertion_limit is set;
  * AHD_MEMORY_LIMIT, AHD_OUT_OF_MEMORY, AHD_CANCELLED, AHD_TOO_MANY_POINTS. */
 AHD_API ahd_status ahd_refine(
@@ -74,5 +94,9 @@ AHD_API ahd_status ahd_refine(
 
 /* Writes what was found. AHD_NOT_AVAILABLE. */
 AHD_API ahd_status ahd_refine_write(ahd_job* job, const ahd_refined* arrays);
+
+/* Describes these triangles. AHD_NOT_AVAILABLE; AHD_BAD_ARRAY: a number that there is not;
+ * AHD_OUT_OF_MEMORY, AHD_CANCELLED. */
+AHD_API ahd_status ahd_refine_triangles(ahd_job* job, ahd_refined_triangles* triangles);
 
 #endif

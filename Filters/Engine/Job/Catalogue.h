@@ -76,8 +76,10 @@ constexpr Row kRows[] = {
     "cells." },
   { Topic::Refusal, "memory to refine", "refused=limit doing=refining",
     "Refining the triangles of {points} points takes more than {of_memory}. Nothing was added. "
-    "Take "
-    "larger triangles or a smaller angle, add fewer points, {or_set_limit}" },
+    "Take larger triangles or a smaller angle, add fewer points, {or_set_limit}" },
+  { Topic::Refusal, "out of memory to refine", "refused=memory doing=refining",
+    "Out of memory while refining the triangles of {points} points; about {needed} are needed. "
+    "Take larger triangles or a smaller angle, or add fewer points." },
   { Topic::Refusal, "memory to edit", "refused=limit doing=editing",
     "Editing {points} points may take {of_memory}. None was inserted. Insert fewer points, "
     "{or_set_limit}" },
@@ -102,6 +104,17 @@ constexpr Row kRows[] = {
   { Topic::Refusal, "no triangulation", "triangulation_is_null",
     "Triangulation is null, so there are no settings to triangulate with. Set it to a "
     "vtkAdaptiveHilbertDelaunay2D." },
+  { Topic::Refusal, "nothing to refine", "not_to_refine",
+    "A triangulation with {not_to_refine} cannot be refined. Nothing was computed. Reset it; an "
+    "outline of polygons in the source leaves parts out." },
+  { Topic::Refusal, "unfit sizes", "unfit_sizes",
+    "The points have no numeric array {unfit_sizes} with one number each, the size of triangles. "
+    "Nothing was computed." },
+  { Topic::Refusal, "a mesh on ranks", "mesh_ranks",
+    "A quality mesh is made of the points of one rank, and there are {mesh_ranks} ranks. Nothing "
+    "was "
+    "computed. Gather the points on one rank and run the filter there alone, or reset "
+    "DistributePoints of Triangulation: then each rank has a mesh of its own points." },
   { Topic::Refusal, "changed input", "input_is_changed",
     "An observer gave an array of the input other memory or another size while the filter worked. "
     "The output is empty. Change inputs before or after an update." },

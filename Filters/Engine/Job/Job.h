@@ -5,13 +5,13 @@
 #include "../Core/Processors.h"
 #include "../Core/Threads.h"
 #include "../Edit/Edit.h"
-#include "../Refine/Refine.h"
 #include "CheckedMemory.h"
 #include "InputArrays.h"
 #include "JobTiles.h"
 #include "OutlineRun.h"
 #include "Progress.h"
 #include "Projections.h"
+#include "RefineRun.h"
 #include "Refusal.h"
 #include "Run.h"
 #include "Sampling.h"
@@ -39,9 +39,13 @@ struct JobResult : RunResult
   Plane fitted;                     ///< with a surface
   std::vector<std::int32_t> cellOf; ///< of each triangle, or -1; made when first wanted
   JobSampling sampling;
-  std::unique_ptr<Refinement> refined; ///< null before refine()
+  std::unique_ptr<RefinedMesh> refined; ///< null before refine()
 
   std::size_t cellCount() const { return ahd::cellCount(triangulation, selection); }
+  RefineInput toRefine(RunProgress& progress, const Context& context)
+  {
+    return { points, asked.options, triangulation, progress, context.executor };
+  }
   /// The points in space; `made` holds them if they are not the input's. Refuses if
   /// cancelled.
   PointView spacePoints(SpacePoints& made, const Context& context);
@@ -105,9 +109,11 @@ public:
   }
 
   /// Refines the result, which keeps it. Refuses what findRefineFault() finds, and more.
-  const Refinement& refine(const RefineRequest& request);
+  const RefinedMesh& refine(CheckedMemory& checked, const RefineRequest& request);
   /// Refuses if there is none.
-  const Refinement& refined();
+  const RefinedMesh& refined();
+  /// describeTriangles(). Refuses those that do not fit.
+  void describeRefined(MeshTriangles& triangles);
 
   /// Refuses if there is none.
   JobResult& result();

@@ -5,40 +5,10 @@
 
 #include "Refusal.h"
 
-#include <string>
-
 namespace ahd
 {
-namespace
-{
 
-void refuseFault(const RefineRequest& request, RefineFault fault, std::size_t at)
-{
-  const std::string ofPoint = "point " + std::to_string(at);
-  switch (fault)
-  {
-    case RefineFault::None:
-      return;
-    case RefineFault::Angle:
-      refuse(Reason::BadValue,
-        "The minimum angle is " + std::to_string(request.minimumAngle) +
-          " degrees: it must be 0 to 34.");
-    case RefineFault::Area:
-      refuse(Reason::BadValue, "The maximum area is NaN, negative or infinite.");
-    case RefineFault::Length:
-      refuse(Reason::BadValue, "The maximum length is NaN, negative or infinite.");
-    case RefineFault::Size:
-      refuse(Reason::BadValue,
-        "The size at " + ofPoint + " is " + std::to_string(request.sizes[at]) +
-          ": sizes must be finite and above 0.");
-    case RefineFault::Range:
-      refuse(Reason::BadValue, "A coordinate of " + ofPoint + " is 2^900 or more in magnitude.");
-  }
-}
-
-} // namespace
-
-const Refinement& Job::refined()
+const RefinedMesh& Job::refined()
 {
   const JobResult& made = result();
   if (!made.refined)
@@ -48,7 +18,7 @@ const Refinement& Job::refined()
   return *made.refined;
 }
 
-const Refinement& Job::refine(const RefineRequest& request)
+const RefinedMesh& Job::refine(CheckedMemory& checked, const RefineRequest& request)
 {
   JobResult& made = result();
   made.refined.reset();
@@ -58,32 +28,41 @@ const Refinement& Job::refine(const RefineRequest& request)
   }
   std::size_t at = 0;
   const RefineFault fault = findRefineFault(made.triangulation, request, at);
-  refuseFault(request, fault, at);
-  const std::size_t points = made.points.points().count;
-  CheckedMemory checked(memoryLimit(), triangulatedMemoryEstimate(points, made.asked.options));
-  Status status = checked.need(callersMemory().bytes + tableMemoryEstimate(points));
+  if (fault != RefineFault::None)
+  {
+    refuse(Reason::BadValue, refineFaultText(request, fault, at));
+  }
   const Apart apart(progress);
-  auto found = std::make_unique<Refinement>();
+  auto found = std::make_unique<RefinedMesh>();
+  Status status = Status::Ok;
   progress.expectLastPhase();
-  const auto refineIt = [&](const Context& context)
-  { status = ahd::refine(made.triangulation, request, context, *found); };
-  if (status == Status::Ok)
-  {
-    checked.request(progress.asked(),
-      [&]
+  withThreads(
+    [&](const Context& context)
+    {
+      const RefineInput input = made.toRefine(progress, context);
+      status = refineWithin(
+        checked, { memoryLimit(), callersMemory().bytes }, input, request, *found);
+      if (status == Status::OutOfMemory)
       {
-        withThreads(refineIt);
-        return status;
-      });
-  }
-  if (checked.isRefused)
-  {
-    refuse(Reason::MemoryLimit, checked.facts(status, "refining", { "points", points }));
-  }
+        refuse(reasonOf(status, checked.isRefused), factsOf(checked, status, input));
+      }
+    });
   ahd::check(status);
   ahd::check(progress.finish() ? Status::Ok : Status::Cancelled);
   made.refined = std::move(found);
   return *made.refined;
+}
+
+void Job::describeRefined(MeshTriangles& triangles)
+{
+  const RefinedMesh& mesh = refined();
+  JobResult& made = result();
+  if (!triangles.fit(made.points.points().count + mesh.found.points.size()))
+  {
+    refuse(Reason::BadArray, "The triangles, or their regions, have numbers that there are not.");
+  }
+  apart([&](const Context& context)
+    { ahd::check(ahd::describeRefined(made.toRefine(progress, context), mesh, triangles)); });
 }
 
 } // namespace ahd

@@ -61,6 +61,15 @@ struct SteinerPoint
   bool isOnSegment() const { return corners[2] == kNoIndex; }
 };
 
+/// The linear interpolation there; `value(id)` is the value at a point.
+template <typename Value>
+double interpolate(const SteinerPoint& point, const Value& value)
+{
+  const Index last = point.isOnSegment() ? point.corners[0] : point.corners[2];
+  return point.weights[0] * value(point.corners[0]) + point.weights[1] * value(point.corners[1]) +
+    point.weights[2] * value(last);
+}
+
 /// A triangle that does not meet the request: counterclockwise, from the smallest corner by x, y.
 struct BadTriangle
 {

@@ -45,6 +45,51 @@ static void check_weights(const double* all, const ahd_refined* made, uint64_t c
   }
 }
 
+/* Of the outline, a hole and a line, in this order of cells: the line is cell 0. */
+static void check_pieces(const ahd_refined* made, const ahd_refine_report* report)
+{
+  uint64_t k, of_cell[3] = { 0, 0, 0 };
+  for (k = 0; k < report->pieces; ++k)
+  {
+    CHECK((made->piece_cells[k] == 0) == (k < report->inner_pieces));
+    CHECK(made->piece_edges[2 * k] < 10 && made->piece_edges[2 * k + 1] < 10);
+    CHECK(made->pieces[2 * k] != made->pieces[2 * k + 1]);
+    ++of_cell[made->piece_cells[k]];
+  }
+  CHECK(report->inner_pieces > 1 && of_cell[0] == report->inner_pieces);
+  CHECK(of_cell[1] > of_cell[2] && of_cell[2] >= 4);
+}
+
+/* Every triangle is of the one region, and the least angle is as wished. */
+static void check_triangles(ahd_job* job, ahd_job* run)
+{
+  const uint64_t count = (uint64_t)ahd_counted(run, "triangles");
+  int32_t* corners = (int32_t*)malloc(3 * count * sizeof(int32_t));
+  int64_t* regions = (int64_t*)calloc(count, sizeof(int64_t));
+  ahd_refined_triangles triangles;
+  triangles.corners = corners;
+  triangles.count = count;
+  triangles.regions = regions;
+  triangles.bad = NULL;
+  CHECK_OK(run, ahd_get_array(run, "triangles", AHD_INT32, corners, 3 * count));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_refine_triangles(NULL, &triangles));
+  CHECK_STATUS(run, AHD_NOT_AVAILABLE, ahd_refine_triangles(run, &triangles));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_refine_triangles(job, NULL));
+  CHECK_OK(job, ahd_refine_triangles(job, &triangles));
+  CHECK(triangles.least_angle > 30.0 - 1e-9 && triangles.least_angle < 60.0 && regions[0] == 0);
+  corners[0] = -1;
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_refine_triangles(job, &triangles));
+  corners[0] = 1 << 30;
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_refine_triangles(job, &triangles));
+  triangles.corners = NULL;
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_refine_triangles(job, &triangles));
+  triangles.count = 0;
+  CHECK_OK(job, ahd_refine_triangles(job, &triangles));
+  CHECK(triangles.least_angle == 0.0);
+  free(corners);
+  free(regions);
+}
+
 static void test_a_run_with_them(void)
 {
   const ahd_refine_request wished = { 30.0, 0.5, 0.0, NULL, AHD_REFINE_ALL };
@@ -66,8 +111,12 @@ static void test_a_run_with_them(void)
   made.weights = (double*)malloc(3 * report.points * sizeof(double));
   made.ids = (int64_t*)malloc(report.ids * sizeof(int64_t));
   made.offsets = (int64_t*)malloc((report.chains + 1) * sizeof(int64_t));
+  made.pieces = (int64_t*)malloc(2 * report.pieces * sizeof(int64_t));
+  made.piece_edges = (int64_t*)malloc(2 * report.pieces * sizeof(int64_t));
+  made.piece_cells = (int64_t*)malloc(report.pieces * sizeof(int64_t));
   CHECK_OK(job, ahd_refine_write(job, &made));
   check_weights(all, &made, report.points);
+  check_pieces(&made, &report);
   run = ahd_job_of(all, (int64_t)(10 + report.points), 2);
   first = made.offsets[report.lines];
   lines = ahd_ids(made.ids, first, 1);
@@ -84,11 +133,15 @@ static void test_a_run_with_them(void)
   CHECK_OK(run, ahd_set_int(run, "fill_rule", AHD_FILL_EVEN_ODD));
   CHECK_OK(run, ahd_run(run));
   CHECK(ahd_counted(run, "triangles") == (int64_t)report.triangles);
+  check_triangles(job, run);
   free(all);
   free(made.corners);
   free(made.weights);
   free(made.ids);
   free(made.offsets);
+  free(made.pieces);
+  free(made.piece_edges);
+  free(made.piece_cells);
   ahd_job_free(run);
   ahd_job_free(job);
 }
@@ -124,6 +177,7 @@ static void test_refusals(void)
   CHECK_OK(job, ahd_set_int(job, "memory_limit", 20000));
   CHECK_STATUS(job, AHD_MEMORY_LIMIT, ahd_refine(job, &wished, &report));
   CHECK_SAYS(job, "Refining the triangles of");
+  CHECK(report.memory_needed > report.memory_allowed && report.memory_allowed == 20000);
   CHECK_OK(job, ahd_set_int(job, "memory_limit", 0));
   CHECK_OK(job, ahd_set_progress(job, cancel, NULL));
   CHECK_STATUS(job, AHD_CANCELLED, ahd_refine(job, &wished, &report));

@@ -116,6 +116,7 @@ def refusals():
     yield {"reason": engine.OUT_OF_MEMORY, "doing": "interpolating", **MEMORY, "places": -1.0}
     yield {"reason": engine.OUT_OF_MEMORY, "doing": "making", **MEMORY}
     yield {"reason": engine.OUT_OF_MEMORY, "doing": "outlining", **MEMORY, "polygons": 50}
+    yield {"reason": engine.OUT_OF_MEMORY, "doing": "refining", **MEMORY}
     bad = {"bad_cell": 4, "begin": -1, "end": 7, "ids": 6}
     yield {"reason": engine.BAD_ARRAY, "cells": "polygons of the source", **bad}
     yield {"reason": engine.BAD_ARRAY}
@@ -124,6 +125,9 @@ def refusals():
         yield {"reason": engine.BAD_VALUE, "conflict": 1, "conflict_with_" + other: 1}
     yield {"folded_triangles": 3, "triangles": 50}
     yield {"triangulation_is_null": 1}
+    yield {"not_to_refine": "Alpha"}
+    yield {"unfit_sizes": "Size"}
+    yield {"mesh_ranks": 2}
     yield {"input_is_changed": 1}
     for fault in ("cell_size", "bounds", "too_many", "too_wide", "out_of_numbers", "no_area"):
         yield {"raster": fault, "cell_width": 0.1, "cell_height": 1e-12, "columns": 4e12, "rows": 3.0,

@@ -7,7 +7,9 @@ import unittest
 import warnings
 
 import numpy as np
-from adaptivehilbertdelaunay import BadReason, DelaunayWarning, Mesh, delaunay
+from adaptivehilbertdelaunay import BadReason, DelaunayWarning, Mesh, _library as library, delaunay
+from adaptivehilbertdelaunay._refined import Found
+from adaptivehilbertdelaunay._segments import Segments
 from arraysupport import KeywordTest, cloud, complaints, in_a_process, lattice
 
 SQUARES = np.array([(0, 0), (8, 0), (8, 8), (0, 8), (2, 2), (3, 2), (3, 3), (2, 3), (6, 5), (7.5, 7)], float)
@@ -297,6 +299,31 @@ class RefineTest(KeywordTest):
         far = delaunay(lattice(3) * 1e-3 + 1e12).refine(maximum_length=1e-7)
         self.assertEqual(set(far.reasons.tolist()), {BadReason.RESOLUTION})
         self.assertEqual(len(made.refine(33, maximum_added=0).points), 10)
+
+    def test_cells_of_pieces_are_chains(self):
+        """The engine follows chains by exact predicates, `markers` looks for pieces on given segments."""
+        random = np.random.default_rng(5)
+        for trial in range(60):
+            count = int(random.integers(5, 30))
+            points = random.integers(0, 7, (count, 2)) if trial % 2 else random.random((count, 2))
+            lines = [random.integers(0, count, random.integers(2, 6)) for _ in range(random.integers(0, 4))]
+            loops = [random.integers(0, count, random.integers(3, 6)) for _ in range(random.integers(0, 2))]
+            crossings = "split" if trial % 3 else "leave_out"
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", DelaunayWarning)
+                made = delaunay(points.astype(float), lines=lines, loops=loops, crossings=crossings)
+                found = Found(made._engine(), library.RefineRequest(25, 0, 0, None, 200), None)
+            ends = np.stack((found.offsets[:-1], found.offsets[1:] - 1), axis=1)[: found.report.lines]
+            segments = Segments(made._request, made.point_status, made.plane_points)
+            looked_for = segments.of(np.concatenate((found.edges, found.ids[ends])))[: len(found.edges)]
+            np.testing.assert_array_equal(found.cells, looked_for[:, 0])
+
+    def test_nothing_where_loops_leave_nothing(self):
+        square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", DelaunayWarning)
+            mesh = delaunay(square, loops=[[0, 3, 2, 1]], fill_rule="orientation").refine()
+        self.assertEqual([len(mesh.points), len(mesh.triangles), len(mesh.regions), len(mesh.edges)], [4, 0, 0, 0])
 
     def test_nothing(self):
         for points in ([], [[0, 0], [1, 1], [2, 2]]):
