@@ -147,6 +147,7 @@ protected:
 
 private:
   friend class vtkAdaptiveHilbertInterpolation2D; // reads the settings
+  friend class vtkAdaptiveHilbertQualityMesh2D;   // the same
   vtkAdaptiveHilbertDelaunay2D(const vtkAdaptiveHilbertDelaunay2D&) = delete;
   void operator=(const vtkAdaptiveHilbertDelaunay2D&) = delete;
 

@@ -362,9 +362,10 @@ public:
   }
 
 private:
-  // Of vtkAdaptiveHilbertDelaunay2D and its outputs.
+  // Of vtkAdaptiveHilbertDelaunay2D and its outputs, and of the quality mesh.
   static constexpr const char* kFilters[] = { "Delaunay2DAdaptiveHilbert",
-    "AdaptiveHilbertDelaunay2D", "VoronoiAdaptiveHilbert", "InsertionOrderAdaptiveHilbert" };
+    "AdaptiveHilbertDelaunay2D", "VoronoiAdaptiveHilbert", "InsertionOrderAdaptiveHilbert",
+    "AdaptiveHilbertQualityMesh2D" };
 
   vtkNew<FetchMeasures> Fetch;
   vtkNew<RefuseCircle> Refuse;

@@ -134,6 +134,10 @@ bool IsInside(const ahd::CrossingOrigin&)
 {
   return true;
 }
+bool IsInside(const ahd::SteinerPoint&)
+{
+  return true;
+}
 
 /// What linear interpolation gives at points that lie between others, from `first` on. Of one that
 /// lies between such points the value is that of theirs before rounding.
@@ -194,6 +198,28 @@ bool IsGhostArray(vtkAbstractArray* array)
 {
   const char* name = array->GetName();
   return name && std::strcmp(name, vtkDataSetAttributes::GhostArrayName()) == 0;
+}
+
+/// Point data with the arrays of others, but of so many points: write(array, from) fills in each.
+template <typename Write>
+void WriteLonger(vtkPointData* given, vtkIdType count, vtkPointData* output, const Write& write)
+{
+  vtkNew<vtkPointData> input;
+  input->ShallowCopy(given);
+  vtkAHDRemoveArraysOfOneName(input);
+  vtkNew<vtkPointData> data;
+  data->CopyAllOn(); // which of them are scalars, ids, normals ...
+  data->CopyAllocate(input, count);
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    array->SetNumberOfTuples(count);
+    write(array, input->GetAbstractArray(i));
+  }
+  // As such they would have to name each point.
+  data->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+  data->SetActiveAttribute(-1, vtkDataSetAttributes::PEDIGREEIDS);
+  output->ShallowCopy(data);
 }
 }
 
@@ -272,22 +298,33 @@ void vtkAHDPointOutput::WriteData(vtkPointData* output, const vtkAHDContext& con
     output->PassData(this->Input->GetPointData());
     return;
   }
-  vtkNew<vtkPointData> input;
-  input->ShallowCopy(this->Input->GetPointData());
-  vtkAHDRemoveArraysOfOneName(input);
-  vtkNew<vtkPointData> data;
-  data->CopyAllOn(); // which of them are scalars, ids, normals ...
-  data->CopyAllocate(input, this->Count);
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  WriteLonger(this->Input->GetPointData(), this->Count, output,
+    [&](vtkAbstractArray* array, vtkAbstractArray* from)
+    { this->WriteArray(array, from, context); });
+}
+
+void vtkAHDPointOutput::AddRefined(vtkPointData* given, vtkIdType count,
+  const std::vector<ahd::SteinerPoint>& added, vtkPointData* output, const vtkAHDContext& context)
+{
+  if (added.empty())
   {
-    vtkAbstractArray* array = data->GetAbstractArray(i);
-    array->SetNumberOfTuples(this->Count);
-    this->WriteArray(array, input->GetAbstractArray(i), context);
+    output->PassData(given);
+    return;
   }
-  // As such they would have to name each point.
-  data->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
-  data->SetActiveAttribute(-1, vtkDataSetAttributes::PEDIGREEIDS);
-  output->ShallowCopy(data);
+  const vtkIdType all = count + static_cast<vtkIdType>(added.size());
+  WriteLonger(given, all, output,
+    [&](vtkAbstractArray* array, vtkAbstractArray* from)
+    {
+      const vtkIdType known = std::min(count, from->GetNumberOfTuples());
+      const bool areIds = AreIds(given, from);
+      CopyTuples(array, 0, known, from, context);
+      Clear(array, known, all, areIds, context);
+      auto* numbers = vtkArrayDownCast<vtkDataArray>(array);
+      if (numbers && !areIds && !IsGhostArray(array))
+      {
+        InterpolateAt(numbers, added, count, context);
+      }
+    });
 }
 
 void vtkAHDPointOutput::WriteArray(

@@ -3,9 +3,11 @@
 #define vtkAHDPointOutput_h
 
 #include "Engine/Job/Run.h"
+#include "Engine/Refine/Refine.h"
 #include "vtkType.h"
 
 #include <cstddef>
+#include <vector>
 
 class vtkAbstractArray;
 class vtkAHDContext;
@@ -39,6 +41,12 @@ public:
   /// `means`: null, or the prepared points: then coinciding points are at their mean.
   void WritePlaces(ahd::RunResult* means, vtkPolyData* output, const vtkAHDContext& context) const;
   void WriteData(vtkPointData* output, const vtkAHDContext& context) const;
+
+  /// The data of so many points, and after them those of points that refine() added: their values
+  /// in between, as above.
+  static void AddRefined(vtkPointData* given, vtkIdType count,
+    const std::vector<ahd::SteinerPoint>& added, vtkPointData* output,
+    const vtkAHDContext& context);
 
   /// Upper estimate of the bytes that they allocate for so many points.
   static std::size_t EstimateBytes(vtkPointSet* input, std::size_t pointCount);

@@ -54,13 +54,22 @@ constexpr vtkAHDOutputArray<vtkIdTypeArray> Neighbors = { "Neighbors", 3 };
 /// The cells of the source that cross each other, at most a thousand pairs; no array if there are
 /// none.
 constexpr vtkAHDOutputArray<vtkIdTypeArray> Crossings = { "Crossings", 2 };
-/// The ids in the input of the points of the output Insertion order, and of the vertices of the
-/// cells of Voronoi.
+/// The ids in the input of the points of the output Insertion order, of the vertices of the cells
+/// of Voronoi, and of the points of a quality mesh; -1 for those that were added.
 constexpr vtkAHDOutputArray<vtkIdTypeArray> OriginalPointIds = { "OriginalPointIds", 1 };
 /// The number of divisions that made the box, for the cells of the output Insertion order.
 constexpr vtkAHDOutputArray<vtkIntArray> Level = { "Level", 1 };
 /// The number of points in the box, for the same cells.
 constexpr vtkAHDOutputArray<vtkIdTypeArray> Count = { "Count", 1 };
+/// Why a triangle of a quality mesh is not as wished: 0, an angle below 60 degrees between
+/// segments; 1, there are as many added points as were allowed; 2, an edge is as short as
+/// coordinates can tell. -1: it is as wished.
+constexpr vtkAHDOutputArray<vtkIntArray> BadReason = { "BadReason", 1 };
+/// The cell of the source along which a piece of a segment of a quality mesh lies, the first if
+/// there are more; -1: none.
+constexpr vtkAHDOutputArray<vtkIdTypeArray> SourceCell = { "SourceCell", 1 };
+/// 1: a piece of a segment bounds a quality mesh; 0: it has triangles on both sides.
+constexpr vtkAHDOutputArray<vtkUnsignedCharArray> IsBoundary = { "IsBoundary", 1 };
 /// The numbers of the points of all ranks, under the name that VTK's own generator of global ids
 /// uses.
 constexpr vtkAHDOutputArray<vtkIdTypeArray> GlobalPointIds = { "GlobalPointIds", 1 };

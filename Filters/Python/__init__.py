@@ -47,6 +47,8 @@ if TYPE_CHECKING:
     vtkAdaptiveHilbertDelaunay2D: Any
     vtkAdaptiveHilbertInterpolation2D: Any
     vtkAdaptiveHilbertInterpolationAlgorithm: Any
+    vtkAdaptiveHilbertQualityMesh2D: Any
+    vtkAdaptiveHilbertQualityMeshAlgorithm: Any
     vtkPlanarPointSource: Any
 
 # Modules are loaded when one of their names is first used: arrays need no VTK, and VTK no arrays.
@@ -67,6 +69,8 @@ _CLASSES = (
     "vtkAdaptiveHilbertDelaunay2D",
     "vtkAdaptiveHilbertInterpolation2D",
     "vtkAdaptiveHilbertInterpolationAlgorithm",
+    "vtkAdaptiveHilbertQualityMesh2D",
+    "vtkAdaptiveHilbertQualityMeshAlgorithm",
     "vtkPlanarPointSource",
     "vtkPlanarSurfaceOutline",
 )

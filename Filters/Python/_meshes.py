@@ -11,6 +11,7 @@ import numpy
 import pyvista
 
 from . import _raster, _vtk
+from ._found import count_of, limit_of
 from ._geometry import constraints_of
 from ._input import PLANES, bytes_of, chosen_plane, polygon_of, real_of, refuse_conflict
 from ._interface import (
@@ -268,6 +269,46 @@ def voronoi_2d(
     return _taken(algorithm.GetOutput(2))
 
 
+def _sizes_of(mesh, sizes):
+    """The mesh, and the name of the array with these. ValueError, TypeError."""
+    if isinstance(sizes, str):
+        parts = mesh if isinstance(mesh, pyvista.MultiBlock) else [mesh]
+        if not all(part is None or sizes in part.point_data for part in parts):
+            raise ValueError("sizes: the points have no array %r" % (sizes,))
+        return mesh, sizes
+    if isinstance(mesh, pyvista.MultiBlock):
+        raise TypeError("sizes of a MultiBlock are the name of an array that its blocks have")
+    numbers = _raster.real_numbers("sizes", sizes)
+    if numbers.shape != (mesh.n_points,):
+        raise ValueError("sizes must be one number for each of %d points, not of shape %s" % (
+            mesh.n_points, numbers.shape))
+    mesh = mesh.copy(deep=False)
+    mesh.point_data["sizes"] = numbers
+    return mesh, "sizes"
+
+
+def refine(mesh: Any, minimum_angle: Any, maximum_area: Any, maximum_length: Any, sizes: Any, maximum_added: Any,
+           segments: Any, edge_source: Any, constraints: Any, plane: Any, memory_limit: Any, progress_bar: Any,
+           **settings: Any) -> Any:
+    _check_points(mesh)
+    mesh, name = (mesh, "") if sizes is None else _sizes_of(mesh, sizes)
+    wishes = dict(
+        MinimumAngle=real_of("minimum_angle", minimum_angle, (0.0, 34.0)),
+        MaximumArea=limit_of("maximum_area", maximum_area), MaximumLength=limit_of("maximum_length", maximum_length),
+        SizeArrayName=name,
+        MaximumNumberOfAddedPoints=-1 if maximum_added is None else min(
+            count_of("maximum_added", maximum_added), 2**31 - 1))
+    algorithm, messages = _with_triangulation("vtkAdaptiveHilbertQualityMesh2D", mesh, plane, memory_limit, settings)
+    _set(algorithm, **wishes)
+    _constrain(algorithm.GetTriangulation(), 1, algorithm, edge_source, constraints, mesh)
+    try:
+        _run(algorithm, messages, progress_bar, "Computing Quality Mesh")
+    except RuntimeError as error:
+        raise (ValueError if str(error).startswith("The size at") else RuntimeError)(str(error)) from None
+    made = _taken(algorithm.GetOutput(0))
+    return (made, _taken(algorithm.GetOutput(1))) if segments else made
+
+
 def outline(mesh: Any, groups: Any, memory_limit: Any, progress_bar: Any) -> pyvista.PolyData:
     if not isinstance(mesh, pyvista.PolyData):
         raise TypeError("an outline is that of a pyvista.PolyData, not of %s: extract_surface() makes one"
@@ -284,21 +325,26 @@ def outline(mesh: Any, groups: Any, memory_limit: Any, progress_bar: Any) -> pyv
     return _taken(algorithm.GetOutput())
 
 
+def _with_triangulation(name, mesh, plane, memory_limit, settings):
+    """A filter of this name with a triangulation, for this mesh, and its messages."""
+    triangulation, messages = _make_filter(mesh, plane, memory_limit, settings)
+    triangulation.SetInputDataObject(None)
+    package = _vtk.package_of(mesh)
+    algorithm = _vtk.vtk_class(name, package)()
+    algorithm.SetTriangulation(triangulation)
+    algorithm.SetInputDataObject(mesh)
+    return algorithm, _Messages(algorithm, package, messages._said)
+
+
 def _interpolate(mesh, places, raster, method, outside, no_value, gradients, elevation, plane, edge_source, constraints,
                  memory_limit, progress_bar, **settings):
     """The output of vtkAdaptiveHilbertInterpolation2D, with settings of its raster."""
     if not isinstance(elevation, str):
         raise TypeError("elevation must be a name, a str, not %r" % (elevation,))
-    triangulation, messages = _make_filter(mesh, plane, memory_limit, settings)
-    triangulation.SetInputDataObject(None)
-    package = _vtk.package_of(mesh)
-    algorithm = _vtk.vtk_class("vtkAdaptiveHilbertInterpolation2D", package)()
-    messages = _Messages(algorithm, package, messages._said)
-    algorithm.SetTriangulation(triangulation)
-    algorithm.SetInputDataObject(mesh)
+    algorithm, messages = _with_triangulation("vtkAdaptiveHilbertInterpolation2D", mesh, plane, memory_limit, settings)
     if places is not None:
         algorithm.SetInputDataObject(1, places)
-    _constrain(triangulation, 2, algorithm, edge_source, constraints, mesh)
+    _constrain(algorithm.GetTriangulation(), 2, algorithm, edge_source, constraints, mesh)
     _set(algorithm, Method=_number_of(method, "method"), Outside=_number_of(outside, "outside"),
          NoValue=no_value, GenerateGradients=bool(gradients), HeightArrayName=elevation, **raster)
     _run(algorithm, messages, progress_bar, "Interpolating")

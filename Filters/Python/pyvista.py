@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Made by Filters/Settings/generate.py: change what is there, not this.
-"""The filters for PyVista: `mesh.adaptive.delaunay_2d()`, `voronoi_2d()`, `to_raster()` and `sample()`.
+"""The filters for PyVista: `mesh.adaptive.delaunay_2d()`, `voronoi_2d()`, `to_raster()`, `sample()` and `refine()`.
 
 PyVista from 0.48 on finds this module by itself (entry point `pyvista.accessors`); with an older one, or where the
 package is not installed but on the path, `import adaptivehilbertdelaunay.pyvista` does it.
@@ -11,7 +11,7 @@ from __future__ import annotations
 import functools
 import inspect
 import math
-from typing import Any, Iterable, Literal, Union
+from typing import Any, Iterable, Literal, Optional, Union
 
 import pyvista
 
@@ -23,7 +23,7 @@ from ._sampling import Method
 # Transforms are of any VTK.
 Outside = Literal["none", "nearest", "boundary"]
 
-__all__ = ["Adaptive", "delaunay_2d", "sample", "to_raster", "voronoi_2d"]
+__all__ = ["Adaptive", "delaunay_2d", "refine", "sample", "to_raster", "voronoi_2d"]
 
 NAME = "adaptive"
 
@@ -365,6 +365,87 @@ def sample(
 
 
 @by_any_name()
+def refine(
+    mesh: Any,
+    minimum_angle: float = 20.0,
+    *,
+    maximum_area: Optional[float] = None,
+    maximum_length: Optional[float] = None,
+    sizes: Any = None,
+    maximum_added: Optional[int] = None,
+    segments: bool = False,
+    edge_source: Any = None,
+    constraints: Any = None,
+    plane: Any = "automatic",
+    heights: Literal["own", "surface", "mixed"] = "own",
+    zero_is_missing: bool = False,
+    lines_on_surface: bool = True,
+    max_segment_length: float = 0.0,
+    closed_lines: Literal["lines", "loops"] = "loops",
+    points_as_line: bool = False,
+    fill_rule: Literal["orientation", "even_odd"] = "even_odd",
+    crossings: Literal["leave_out", "split"] = "leave_out",
+    rim: Literal["automatic", "convex_hull", "trimmed"] = "automatic",
+    tol: float = 0.0,
+    duplicates: Literal["first", "lowest_z", "highest_z", "mean_z"] = "first",
+    threads: int = 0,
+    memory_limit: Union[int, str] = 0,
+    progress_bar: bool = False,
+) -> Any:
+    """A mesh to compute on: the points of a mesh and its constraints are triangulated, and points are added until no
+    angle is smaller and no triangle is larger than wished.
+
+    All triangles that loops of the constraints leave are refined; lines stay in their places and are divided where
+    needed. Angles between lines and loops stay as they are.
+
+    Parameters
+    ----------
+    mesh : pyvista.DataSet or pyvista.MultiBlock
+        With points of its own; its cells are ignored. The points of all blocks are triangulated together.
+    minimum_angle : float, 0 to 34, default 20
+        In degrees. It ends by theorem up to 20.7, where lines meet in 60 degrees or more, and in practice up to 34:
+        give `maximum_added` above 30.
+    maximum_area, maximum_length : float, greater than 0, optional
+        Of a triangle, and of an edge, in the plane.
+    sizes : str or (m,) array, optional
+        The longest edge wished at each point, linear between them: the name of an array of the points, and of those of
+        constraints if these bring their own; or numbers for the points of the mesh, which get them as "sizes". All are
+        finite and greater than 0.
+    maximum_added : int, 0 or more, optional
+        Added points. Triangles that are not as wished by then have a "BadReason".
+    segments : bool, default False
+        Return the edges along lines and loops, too.
+    edge_source, constraints, plane, progress_bar
+        As in `delaunay_2d`.
+    heights, zero_is_missing, lines_on_surface, max_segment_length, closed_lines, points_as_line, fill_rule
+        As in `delaunay_2d`.
+    crossings, rim
+        As in `delaunay_2d`.
+    tol, duplicates, threads, memory_limit
+        As in `delaunay_2d`.
+
+    Returns
+    -------
+    pyvista.PolyData
+        Triangles, and all points, in double precision: those of the mesh with their ids, those of the constraints,
+        crossings, and the added ones; with point data in between, and "OriginalPointIds", -1 for all but the first.
+        Cell data: "RegionId", the region between lines; "BadReason": -1, or why a triangle is not as wished, a
+        `BadReason`. With `segments` a tuple of it and a pyvista.PolyData of lines, with the same points; cell data:
+        "SourceCell", the cell of the constraints that each lies on, or -1; "IsBoundary": does it bound the mesh?
+
+    Raises
+    ------
+    MemoryError: not enough memory, or `memory_limit` allows less. RuntimeError: more than 2^28 - 2 points.
+    TypeError, ValueError: an argument is not as described above.
+
+    Warns
+    -----
+    DelaunayWarning: as `delaunay_2d`.
+    """
+    return _meshes.refine(**locals())
+
+
+@by_any_name()
 def outline(
     mesh: Any, groups: Any = None, *, memory_limit: int = 0, progress_bar: bool = False
 ) -> pyvista.PolyData:
@@ -426,6 +507,7 @@ class Adaptive:
     voronoi_2d = _method(voronoi_2d)
     to_raster = _method(to_raster)
     sample = _method(sample)
+    refine = _method(refine)
     outline = _method(outline)
 
 

@@ -32,6 +32,9 @@ MADE = {
         "Filters/Settings/vtkAdaptiveHilbertInterpolationAlgorithm.h.in",
     "Filters/vtkAdaptiveHilbertInterpolationAlgorithm.cxx":
         "Filters/Settings/vtkAdaptiveHilbertInterpolationAlgorithm.cxx.in",
+    "Filters/vtkAdaptiveHilbertQualityMeshAlgorithm.h": "Filters/Settings/vtkAdaptiveHilbertQualityMeshAlgorithm.h.in",
+    "Filters/vtkAdaptiveHilbertQualityMeshAlgorithm.cxx":
+        "Filters/Settings/vtkAdaptiveHilbertQualityMeshAlgorithm.cxx.in",
     "Filters/Pipeline/vtkAHDOutputArrays.h": "Filters/Settings/vtkAHDOutputArrays.h.in",
     "Filters/Engine/Job/SettingRows.h": "Filters/Settings/JobSettingRows.h.in",
     "Filters/Engine/Job/ArrayRows.h": "Filters/Settings/JobArrayRows.h.in",
@@ -104,10 +107,17 @@ def check_header(names):
             raise ValueError(f"{C_HEADER.name} has no {name}")
 
 
+def has_effect_on_mesh(row):
+    """Does the setting of the triangulation change a quality mesh, which keeps nothing for the next run? Limits of size
+    are refused."""
+    return row.group != "Outline" and row.name not in ("KeepTriangulation", "ReuseLimit")
+
+
 def all_files():
     """The generated texts, by their path below the project's folder."""
     read = {"delaunay": tables.read("delaunay.toml")}
     read["interpolation"] = tables.read("interpolation.toml", read["delaunay"])
+    read["quality"] = tables.read("quality.toml", [row for row in read["delaunay"] if has_effect_on_mesh(row)])
     read["points"] = tables.read("points.toml")
     read["outline"] = tables.read("outline.toml")
     read["arrays"] = arrays.read("arrays.toml", read["delaunay"])

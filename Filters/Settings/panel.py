@@ -10,7 +10,7 @@ import rows as tables
 TAGS = {"double": "Double", "text": "String"}
 # What never holds. So texts of measures cannot be edited, and the panel does not have the measures, which would be no
 # attributes in Python with a panel_visibility of never.
-NEVER = {"delaunay": "NumberOfThreads = -1", "interpolation": "Method = 99"}
+NEVER = {"delaunay": "NumberOfThreads = -1", "interpolation": "Method = 99", "quality": "MinimumAngle = 99"}
 CONDITION = re.compile(r"\s*(\w+) (=|!=|in|is) ((?:[\w-]+ ?)+?)(?=\s+(?:or|and)\b|\s*\)|\s*$)")
 
 

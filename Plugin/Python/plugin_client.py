@@ -28,7 +28,7 @@ FILTER = "AdaptiveHilbertDelaunay2D"
 #: Of the same class, with one output.
 OUTPUTS = "Delaunay2DAdaptiveHilbert", "VoronoiAdaptiveHilbert", "InsertionOrderAdaptiveHilbert"
 RASTER = "AdaptiveHilbertInterpolation2D"
-SOURCE, OUTLINE = "PlanarPointSource", "PlanarSurfaceOutline"
+MESH, SOURCE, OUTLINE = "AdaptiveHilbertQualityMesh2D", "PlanarPointSource", "PlanarSurfaceOutline"
 NAMES = {"GenerateFate": "GeneratePointStatus", "GeneratePointStatus": "GenerateFate"}  # old and new
 RANGES = "vtkSMIntRangeDomain", "vtkSMDoubleRangeDomain"
 UPDATED, CHANGED = "UpdateDataEvent", "PropertyModifiedEvent"
@@ -216,7 +216,7 @@ def _is_observed(proxy):
 
 def _is_filter(proxy):
     """Is it one of ours, and that of a plugin in Python? The compiled one has its own observers."""
-    return proxy.GetXMLName() in (FILTER, *OUTPUTS, RASTER, SOURCE, OUTLINE) and "." in proxy.GetVTKClassName()
+    return proxy.GetXMLName() in (FILTER, *OUTPUTS, RASTER, MESH, SOURCE, OUTLINE) and "." in proxy.GetVTKClassName()
 
 
 _seen = {"sources": 0}

@@ -32,10 +32,11 @@ PAIRS = tuple(
     if not (python == "python3.9" and pyvista == PYVISTA)) + ("python3.9:vtk==9.1.0",)
 # Each script says at its top what it tests. Those of DropIn/ name vtkmodules, the others use the VTK of the pair.
 FOR_ALL = ("Class/test_settings.py", "Class/test_hashes.py", "Class/test_cases.py", "Class/test_behaviour.py",
-           "Class/test_interpolation.py", "Class/test_kept.py", "Class/test_pipeline.py", "Class/test_few_points.py",
-           "Class/test_interrupts.py", "Class/test_layouts.py", "Class/test_transforms.py", "Class/test_words.py",
-           "PyVista/test_accessor.py", "PyVista/test_rasters.py", "PyVista/test_refusals.py",
-           "PyVista/test_simplified.py", "DropIn/test_pyvista.py")
+           "Class/test_interpolation.py", "Class/test_quality.py", "Class/test_kept.py", "Class/test_pipeline.py",
+           "Class/test_few_points.py", "Class/test_interrupts.py", "Class/test_layouts.py", "Class/test_transforms.py",
+           "Class/test_words.py",
+           "PyVista/test_accessor.py", "PyVista/test_rasters.py", "PyVista/test_refined.py",
+           "PyVista/test_refusals.py", "PyVista/test_simplified.py", "DropIn/test_pyvista.py")
 FOR_VTK = ("../Filters/test_filter.py", "../Filters/test_source.py", "DropIn/test_drop_in.py", "DropIn/test_callers.py",
            "DropIn/test_old_scripts.py")
 

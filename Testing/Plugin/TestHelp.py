@@ -47,6 +47,7 @@ check_equal(
     | {
         "filters.AdaptiveHilbertDelaunay2D.html",
         "filters.AdaptiveHilbertInterpolation2D.html",
+        "filters.AdaptiveHilbertQualityMesh2D.html",
         "filters.Delaunay2DAdaptiveHilbert.html",
         "filters.InsertionOrderAdaptiveHilbert.html",
         "filters.PlanarSurfaceOutline.html",
@@ -76,6 +77,7 @@ DESCRIBED = {
     "VoronoiAdaptiveHilbert": ["VoronoiClip", "Transform"],
     "InsertionOrderAdaptiveHilbert": ["InsertionOrder", "GenerateBoxes", "Transform"],
     "AdaptiveHilbertInterpolation2D": RASTER_SETTINGS + RASTER_MEASURES + ["Places", "Source"],
+    "AdaptiveHilbertQualityMesh2D": names_of("quality", "settings", lambda row: True) + ["Source"],
 }
 for filter_name, described in DESCRIBED.items():
     reference = " ".join(pages["filters.%s.html" % filter_name].text.split())

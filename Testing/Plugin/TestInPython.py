@@ -18,7 +18,7 @@ PACKAGE = "adaptivehilbertdelaunay"
 FOLDER = os.path.dirname(PLUGIN)
 PROXIES = ("Delaunay2DAdaptiveHilbert", "VoronoiCells2DAdaptiveHilbert", "InsertionOrder2DAdaptiveHilbert",
            "AdaptiveHilbertDelaunay2D", "AdaptiveHilbertInterpolation2D", "PlanarPointSource",
-           "PlanarSurfaceOutline")
+           "AdaptiveHilbertQualityMesh2D", "PlanarSurfaceOutline")
 SAYS = "Adaptive Hilbert Delaunay 2D is not there"
 
 

@@ -180,6 +180,30 @@ def test_pieces():
     check_equal(counts[0], counts[1], "open edges")
 
 
+def test_mesh():
+    """Angles and lengths are as wished, of the area within the shore; depths are those of the soundings' surface."""
+    soundings, shore = recipes.bay()
+    made = recipes.mesh(shore, 150.0)
+    data, tuples = fetched(recipes.depths(made, soundings, shore))
+    check(made.LeastAngle >= 30 - 1e-9 and made.NumberOfBadTriangles == 0, "an angle of %r" % made.LeastAngle)
+    area = 0.0
+    for k in range(data.GetNumberOfCells()):
+        places = data.GetCell(k).GetPoints()
+        a, b, c = (places.GetPoint(i)[:2] for i in range(3))
+        check(max(map(math.dist, (a, b, c), (b, c, a))) <= 150 * (1 + 1e-12), "an edge of triangle %d" % k)
+        area += ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2
+    whole, _ = fetched(simple.IntegrateVariables(
+        Input=simple.AdaptiveHilbertDelaunay2D(Input=soundings, Source=shore, SourceMode="Coordinates",
+                                               GenerateRegionIds=1)))
+    flat = whole.GetCellData().GetArray("Area").GetTuple1(0)  # in space
+    check(0.98 * flat < area < flat, "areas %r and %r" % (area, flat))
+    depths, known = [t[0] for t in tuples("Elevation")], [t[0] for t in tuples("vtkValidPointMask")]
+    check(set(known) == {1} and -24 < min(depths) < -20 and max(depths) == 0, "depths from %r" % min(depths))
+    for is_boundary, cells in ((0, {0.0}), (1, set(map(float, range(1, 7))))):  # the channel; shore, islands, lagoon
+        of = servermanager.Fetch(recipes.boundary(made, is_boundary)).GetCellData().GetArray("SourceCell")
+        check_equal({of.GetTuple1(k) for k in range(of.GetNumberOfTuples())}, cells, "cells of the source")
+
+
 def test_change():
     """The pit was dug, and nothing else changed by more than the triangles differ."""
     bounds, size = [20, 980, 20, 980], 2.0

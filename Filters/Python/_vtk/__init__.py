@@ -15,7 +15,8 @@ PACKAGES = ("vtkmodules", "cvista")
 COMPILED = "_compiled"  # the module of the classes that were compiled with VTK
 # The classes that there are in Python, and their modules.
 _PYTHON = {"vtkAdaptiveHilbertDelaunay2D": "filter", "vtkAdaptiveHilbertInterpolation2D": "interpolation",
-           "vtkPlanarPointSource": "source", "vtkPlanarSurfaceOutline": "outline"}
+           "vtkAdaptiveHilbertQualityMesh2D": "quality", "vtkPlanarPointSource": "source",
+           "vtkPlanarSurfaceOutline": "outline"}
 
 _classes = {}
 

@@ -25,7 +25,7 @@ In Python, over the engine's C interface; the compiled class has the same method
 """
 
 
-class _Triangulations:
+class Triangulations:
     """The settings of the triangulation; mixed into the class."""
 
     def SetTriangulation(self, triangulation):
@@ -365,7 +365,7 @@ def make_class(backend):
     members = dict(raster_settings.all_methods(), __doc__=ABOUT)
     members.update(("Get%sOutput" % name, _output_getter(backend, name)) for name in (
         "ImageData", "PolyData", "RectilinearGrid", "StructuredGrid", "StructuredPoints", "UnstructuredGrid"))
-    parts = _Measures, _Executions, _Ports, _Triangulations, Inputs, Followers, Pieces
+    parts = _Measures, _Executions, _Ports, Triangulations, Inputs, Followers, Pieces
     made = build(backend, NAMES, parts, members, start, (3, 1), "vtkDataObject", begin)
     for name, member in raster_settings.all_properties(made).items():
         setattr(made, name, member)

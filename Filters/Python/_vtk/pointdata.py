@@ -6,6 +6,7 @@ import math
 import numpy
 
 from .. import _library as engine
+from .._found import spread
 from .arrays import GHOSTS, is_viewable, put_tuples, remove_arrays_of_one_name, view
 
 
@@ -124,3 +125,22 @@ class PointData:
         """Of the points of the source, then of those added to lines: do they lie between others? None if none do."""
         weights = self.job.array("surface_weights", "float64").reshape(-1, 3)
         return weights.sum(1) > 0.0 if len(weights) else None
+
+
+class RefinedData(PointData):
+    """Writes the point data of a vtkPolyData, and after them those of points that were added (_found.Found)."""
+
+    def __init__(self, backend, given, found):
+        super().__init__(backend, None, given, None, given.GetNumberOfPoints() + len(found.corners))
+        self.found = found
+
+    def write(self, output):
+        if self.count == self.input_count:
+            output.PassData(self.given.GetPointData())
+        else:
+            super().write(output)
+
+    def _interpolate(self, made):
+        numbers = view(made) if is_viewable(made) else numpy.array([made.GetTuple(i) for i in range(self.input_count)])
+        values = numpy.array(numbers[:self.input_count], numpy.float64).reshape(-1, made.GetNumberOfComponents())
+        self._put(made, self.input_count, spread(values, self.found.corners, self.found.weights))

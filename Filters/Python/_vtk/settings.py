@@ -93,6 +93,7 @@ def _class_of(_name, kind, default, _about, least, _most, _names):
 SETTINGS = settings_of(table.DELAUNAY)
 SOURCE = settings_of(table.POINTS)  # of vtkPlanarPointSource
 OUTLINE = settings_of(table.OUTLINE)  # of vtkPlanarSurfaceOutline
+QUALITY = settings_of(table.QUALITY)  # of vtkAdaptiveHilbertQualityMesh2D
 BY_NAME = {setting.name: setting for setting in SETTINGS}
 CONSTANTS, COUNTS, SECONDS = table.DELAUNAY_CONSTANTS, table.DELAUNAY_COUNTS, table.DELAUNAY_SECONDS
 MEASURES = {name: value for name, value, _about in table.DELAUNAY_MEASURES}

@@ -755,6 +755,73 @@ INTERPOLATION_OF_JOB = {
     "NumberOfPlacesWithNeighborsLeftOut": ('sampled_left_out',),
 }
 
+QUALITY = (
+    ("MinimumAngle", "double", 20.0,
+     'The smallest angle that triangles may have, in degrees. 0: any. From 0 to 34. Default 20. It ends by '
+     'theorem up to 20.7, where segments meet in 60 degrees or more, and in practice up to 34: set '
+     'MaximumNumberOfAddedPoints above 30. Angles between segments stay as they are.',
+     0.0, 34.0, ()),
+    ("MaximumArea", "double", 0.0,
+     'The largest area that triangles may have, in the plane of the triangulation. 0: any. Default 0, at least '
+     '0.',
+     0.0, 1e+299, ()),
+    ("MaximumLength", "double", 0.0,
+     'The largest length that edges may have, in the plane of the triangulation. 0: any. Default 0, at least 0.',
+     0.0, 1e+299, ()),
+    ("SizeArrayName", "text", '',
+     'The point array with the longest edge wished at each point, linear between the points; all its numbers '
+     'must be finite and greater than 0. Empty or "None": edges may have any length. Default "". One number for '
+     'each point. With a source whose points are added, the source has an array of this name, too; without one, '
+     'the execution ends with an error.',
+     None, None, ()),
+    ("MaximumNumberOfAddedPoints", "int64", -1,
+     'Stop after so many added points. Triangles that are not as wished by then are marked in BadReason. -1: as '
+     'many as it takes. Default -1, at least -1.',
+     -1, 9223372036854775807, ()),
+)
+QUALITY_MEASURES = (
+    ("NumberOfTriangles", 0,
+     'Triangles of the mesh, in the last run. Counts are 0 if the run was aborted or failed; they are field data '
+     'of the mesh, too.'),
+    ("NumberOfAddedPoints", 0,
+     'Points added by the refinement, in the last run: the last ones of the mesh.'),
+    ("NumberOfPointsAddedToSegments", 0,
+     'Those of the added points that divide segments, in the last run.'),
+    ("NumberOfBadTriangles", 0,
+     'Triangles that are not as wished, in the last run; BadReason says why.'),
+    ("NumberOfEncroachedPieces", 0,
+     'Pieces of segments that could not be split though a point lies close to them, in the last run.'),
+    ("LeastAngle", 0.0,
+     'The least angle of all triangles in degrees, in the plane of the triangulation, in the last run.'),
+    ("MemoryEstimate", 0,
+     'The most memory, in kibibytes (1024 bytes), that the last run may have needed beyond its input, or was '
+     'refused: the number that is compared with Memory Limit.'),
+)
+QUALITY_TEXTS = {
+    "Measures": (
+     'What the last run found, as a text with a line for each number. Numbers that are 0 are left out, but for '
+     'the first. Empty before a run.', (
+         ("triangles", "NumberOfTriangles"),
+         ("points added", "NumberOfAddedPoints"),
+         ("of these on segments", "NumberOfPointsAddedToSegments"),
+         ("triangles not as wished", "NumberOfBadTriangles"),
+         ("pieces of segments not split", "NumberOfEncroachedPieces"),
+         ("degrees in the least angle", "LeastAngle"),
+     )),
+    "Resources": (
+     'What the last run took, as a text with a line for each number. Numbers that are 0 are left out, but for '
+     'the first. Empty before a run.', (
+         ("KiB of memory at most", "MemoryEstimate"),
+     )),
+}
+QUALITY_COUNTS = (
+    "NumberOfTriangles",
+    "NumberOfAddedPoints",
+    "NumberOfPointsAddedToSegments",
+    "NumberOfBadTriangles",
+    "NumberOfEncroachedPieces",
+)
+
 POINTS = (
     ("Distribution", "enum", 0,
      'The distribution of the points. Uniform: in the unit square. Line, Cross, Circle, Spiral: in bands about '

@@ -292,6 +292,28 @@ def pieces(path):
         side_by_side(path, left, right)
 
 
+def mesh(path):
+    """All of it with depths, and a part with the edges along the shore and the channel."""
+    soundings, shore = recipes.bay()
+    made = recipes.mesh(shore, 150.0)
+    depths = recipes.depths(made, soundings, shore)
+    depths.UpdatePipeline()
+    above = view(distance=5200, focus=(3600.0, 1960.0, 0.0))
+    blues = [0.0, 0.1, 0.25, 0.5, 0.6, 0.45, 0.65, 0.8, 1.0, 0.9, 0.95, 0.93]
+    look = {"Representation": "Surface With Edges", "EdgeColor": [0.35, 0.45, 0.5], "Ambient": 1.0, "Diffuse": 0.0}
+    show(depths, above, "Elevation", blues, (-23, 0), "elevation, m", **look)
+    near = view(distance=1500, focus=(3200.0, 1500.0, 0.0))
+    show(made, near, None, [0.93, 0.95, 0.96], **look)
+    for is_boundary, colour in ((0, [0.85, 0.3, 0.1]), (1, [0.1, 0.3, 0.7])):
+        lines = recipes.boundary(made, is_boundary)
+        lines.UpdatePipeline()
+        lifted = simple.Transform(Input=lines)
+        lifted.Transform.Translate = [0, 0, 50]
+        show(lifted, near, None, colour, LineWidth=4.0, Ambient=1.0, Diffuse=0.0)
+    add_note("blue: shore\nred: channel", near, 10, "Lower Left Corner")
+    side_by_side(path, above, near)
+
+
 def slope(path):
     made = recipes.slope_and_aspect(hills(), 4.0)
     made.UpdatePipeline()
@@ -334,7 +356,7 @@ def drape(path):
 
 PICTURES = {function.__name__: function
             for function in (
-                contours, flat, outline, profile, volume, change, lighter, pieces, slope, drape)}  # fmt: skip
+                contours, flat, outline, profile, volume, change, lighter, pieces, mesh, slope, drape)}  # fmt: skip
 
 
 def draw(folder, lidar=None, only=None):

@@ -137,6 +137,31 @@ def contours_of_pieces(path, levels):
     return simple.Contour(Input=surface, ContourBy=["POINTS", "z"], Isosurfaces=list(levels))
 
 
+def bay():
+    """Soundings and shore of the sources' Data/Bay."""
+    folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pardir] * 3, "Data", "Bay")
+    table = simple.CSVReader(FileName=[os.path.join(folder, "soundings.csv")])
+    soundings = simple.TableToPoints(Input=table, XColumn="x", YColumn="y", ZColumn="elevation")
+    return soundings, simple.XMLPolyDataReader(FileName=[os.path.join(folder, "coastline.vtp")])
+
+
+def mesh(shore, longest, angle=30.0):
+    """A mesh to compute on, within a shore."""
+    return simple.AdaptiveHilbertQualityMesh2D(Input=shore, Source=shore, MinimumAngle=angle, MaximumLength=longest)
+
+
+def depths(made, soundings, shore):
+    """The mesh with the array Elevation: what the soundings say at its points."""
+    return simple.AdaptiveHilbertInterpolation2D(Input=soundings, Source=shore, SourceMode="Coordinates", Places=made)
+
+
+def boundary(made, is_boundary=1):
+    """The edges of a mesh that bound it, or those along lines within, with the cell of the source (SourceCell)."""
+    found = simple.Threshold(Input=simple.OutputPort(made, 1), Scalars=["CELLS", "IsBoundary"])
+    found.LowerThreshold = found.UpperThreshold = is_boundary
+    return found
+
+
 def slope_and_aspect(points, size=2.0):
     """Arrays Slope, degrees from level, and Aspect, the compass bearing of downhill, in degrees."""
     terrain = dem(points, size, GenerateGradients=1, Rim="Trimmed")

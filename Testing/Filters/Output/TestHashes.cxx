@@ -12,6 +12,7 @@
 #include "Distributions.h"
 #include "Engine/Core/Threads.h"
 
+#include "vtkAdaptiveHilbertQualityMesh2D.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -273,6 +274,67 @@ std::string hashOf(
   return hash.text();
 }
 
+struct MeshCase
+{
+  std::string name;
+  vtkSmartPointer<vtkPolyData> input;
+  std::function<void(vtkAdaptiveHilbertQualityMesh2D*)> set;
+};
+
+std::vector<MeshCase> meshCases()
+{
+  using Filter = vtkAdaptiveHilbertQualityMesh2D*;
+  const auto uniform = cloudOf(heights(Distribution::Uniform, 400));
+  const auto singles = cloudOf(heights(Distribution::Cross, 400), VTK_FLOAT);
+  const auto lines = someLines(uniform, 12);
+  vtkNew<vtkDoubleArray> sizes;
+  sizes->SetName("sizes");
+  for (vtkIdType i = 0; i < uniform->GetNumberOfPoints(); ++i)
+  {
+    sizes->InsertNextValue(0.02 + double(i) / 5000.0);
+  }
+  uniform->GetPointData()->AddArray(sizes);
+  return { { "angle", singles, [](Filter f) { f->SetMinimumAngle(28); } },
+    { "split", uniform,
+      [lines](Filter f)
+      {
+        f->SetSourceData(lines);
+        f->GetTriangulation()->SetCrossingModeToSplit();
+        f->SetMaximumLength(0.05);
+      } },
+    { "sizes", uniform,
+      [](Filter f)
+      {
+        f->SetSizeArrayName("sizes");
+        f->SetMaximumNumberOfAddedPoints(150);
+      } },
+    { "bestFit", uniform,
+      [](Filter f)
+      {
+        f->GetTriangulation()->SetProjectionPlaneMode(VTK_BEST_FITTING_PLANE);
+        f->SetMaximumArea(0.002);
+      } } };
+}
+
+std::string hashOfMesh(
+  const MeshCase& given, const std::function<void()>& before, const std::function<void()>& after)
+{
+  vtkNew<vtkAdaptiveHilbertQualityMesh2D> mesh;
+  vtkNew<ahdtest::Messages> said; // its messages are not printed
+  said->Watch(mesh);
+  given.set(mesh);
+  mesh->SetInputData(given.input);
+  before();
+  mesh->Update();
+  after();
+  Hash hash;
+  add(hash, mesh->GetOutput(0));
+  add(hash, mesh->GetOutput(1));
+  add(hash, mesh->GetOutput(0)->GetFieldData());
+  hash.add(mesh->GetLeastAngle());
+  return hash.text();
+}
+
 std::string hashOfSource(int distribution, int precision, const std::function<void()>& before,
   const std::function<void()>& after)
 {
@@ -309,6 +371,10 @@ Hashes allHashes(
   }
   const Hashes samples = ahdtest::hashedSamples(before, after);
   result.insert(result.end(), samples.begin(), samples.end());
+  for (const MeshCase& given : meshCases())
+  {
+    result.push_back({ "mesh/" + given.name, hashOfMesh(given, before, after) });
+  }
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include "FeatureTestSupport.h"
 
 #include "vtkAdaptiveHilbertInterpolation2D.h"
+#include "vtkAdaptiveHilbertQualityMesh2D.h"
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -317,6 +318,43 @@ TEST(FaultsMemory, TheInterpolationOnASurfaceSurvivesToo)
   filter->GetTriangulation()->SetProjectionPlaneMode(VTK_BEST_FITTING_PLANE);
   filter->SetDimensions(20, 10);
   expectInterpolationSurvives(filter, said, true, false);
+}
+
+/// Of an execution that is the first or not; the memory of points, pieces, triangles and outputs.
+TEST(FaultsMemory, TheQualityMeshSurvivesToo)
+{
+  vtkNew<Faulty<vtkAdaptiveHilbertQualityMesh2D>> filter;
+  vtkNew<Messages> said;
+  said->Watch(filter);
+  auto cloud = cloudWithAll(40);
+  cloud->GetPointData()->RemoveArray("Name"); // no warning, which may need memory
+  filter->SetInputData(cloud);
+  filter->SetMinimumAngle(25);
+  filter->SetMaximumNumberOfAddedPoints(40);
+  const auto bytes = [&] { return bytesOf(filter->GetOutput(0)) + bytesOf(filter->GetOutput(1)); };
+  filter->Update();
+  const std::string whole = bytes();
+  ASSERT_GT(filter->GetNumberOfAddedPoints(), 10);
+  std::size_t failures = 0;
+  for (std::size_t k = 0, all = 0; k <= 2 * all + 1; ++k)
+  {
+    SCOPED_TRACE(k);
+    said->Errors.clear();
+    filter->AndAllLater = k > all;
+    filter->FailAt = k > all ? k - all : k;
+    filter->Modified();
+    filter->Update();
+    all = k == 0 ? filter->Asked : all;
+    EXPECT_FALSE(filter->Threw);
+    const bool isWhole = bytes() == whole;
+    EXPECT_LE(said->Errors.size(), isWhole ? 0u : 1u);
+    EXPECT_TRUE(isWhole || filter->AndAllLater || said->Errors.size() == 1);
+    EXPECT_TRUE(isWhole ||
+      (filter->GetOutput(0)->GetNumberOfPoints() == 0 && filter->GetNumberOfTriangles() == 0));
+    EXPECT_TRUE(said->Errors.empty() || said->Errors.back().find("emory") != std::string::npos);
+    failures += isWhole ? 0 : 1;
+  }
+  EXPECT_GT(failures, 100u);
 }
 
 namespace

@@ -8,7 +8,7 @@ import warnings
 
 import numpy as np
 from adaptivehilbertdelaunay import BadReason, DelaunayWarning, Mesh, _library as library, delaunay
-from adaptivehilbertdelaunay._refined import Found
+from adaptivehilbertdelaunay._found import Found
 from adaptivehilbertdelaunay._segments import Segments
 from arraysupport import KeywordTest, cloud, complaints, in_a_process, lattice
 

@@ -26,9 +26,9 @@ import test_geometry
 import test_input
 
 FILE = pathlib.Path(__file__).with_name("Refusals.json")
-MODULES = ("_contours.py", "_edit.py", "_exchange.py", "_geometry.py", "_geotiff.py", "_input.py", "_interpolators.py",
-           "_made.py", "_names.py", "_outlined.py", "_raster.py", "_refined.py", "_sampling.py", "_simplified.py",
-           "_spatial.py", "_triangulate.py", "_triangulation.py", "scipy.py")  # fmt: skip
+MODULES = ("_contours.py", "_edit.py", "_exchange.py", "_found.py", "_geometry.py", "_geotiff.py", "_input.py",
+           "_interpolators.py", "_made.py", "_names.py", "_outlined.py", "_raster.py", "_refined.py", "_sampling.py",
+           "_simplified.py", "_spatial.py", "_triangulate.py", "_triangulation.py", "scipy.py")  # fmt: skip
 # Exceptions that are caught again, with other texts.
 INSIDE = (" is not a number", '"voronoi_polygon"')
 NOT_MUST = re.compile("(is|are|has|have) to (be|have) ")

@@ -4,9 +4,10 @@ C++ and from those in Python. The cases of Testing/Filters/Output/TestHashes.cxx
 interpolation."""
 
 from classtests import (HASHES, TABLE, Case, Filter, Hash, Random, Said, Source, array, blocks, cloud, core, cross,
-                        make_points, mixed, model, run_tests, source, tiny, uniform, utm, values_of, vtk)
+                        make_points, mixed, model, run_tests, source, tested_class, tiny, uniform, utm, values_of, vtk)
 from hashedsamples import hashed_samples
 
+Mesh = tested_class("vtkAdaptiveHilbertQualityMesh2D")
 MEASURES = (
     "NumberOfPointsInserted", "NumberOfDuplicates", "NumberOfRejectedPoints", "NumberOfSkippedPoints",
     "NumberOfPointsBeyondLimit", "NumberOfTriangles", "NumberOfMergedPoints", "NumberOfAddedPoints",
@@ -131,6 +132,34 @@ def hash_of_source(distribution):
     return sum_.text()
 
 
+def meshes():
+    even = cloud_of(heights(uniform, 400))
+    singles = cloud_of(heights(cross, 400), core.VTK_FLOAT)
+    even.GetPointData().AddArray(
+        array("vtkDoubleArray", "sizes", [0.02 + i / 5000.0 for i in range(even.GetNumberOfPoints())]))
+    yield "angle", singles, {"MinimumAngle": 28}, {}
+    yield "split", even, {"SourceData": some_lines(even, 12), "MaximumLength": 0.05}, {"CrossingMode": Filter.SPLIT}
+    yield "sizes", even, {"SizeArrayName": "sizes", "MaximumNumberOfAddedPoints": 150}, {}
+    yield "bestFit", even, {"MaximumArea": 0.002}, {"ProjectionPlaneMode": 2}
+
+
+def hash_of_mesh(given, settings, of_triangulation):
+    algorithm = Mesh()
+    Said(algorithm)  # its messages are not printed
+    for name, value in settings.items():
+        getattr(algorithm, "Set" + name)(value)
+    for name, value in of_triangulation.items():
+        getattr(algorithm.GetTriangulation(), "Set" + name)(value)
+    algorithm.SetInputDataObject(given)
+    algorithm.Update()
+    sum_ = Hash()
+    for port in (0, 1):
+        add_output(sum_, algorithm.GetOutput(port))
+    add_field_data(sum_, algorithm.GetOutput(0).GetFieldData())
+    sum_.add_doubles([algorithm.GetLeastAngle()])
+    return sum_.text()
+
+
 class HashTest(Case):
     def test_rows_of_the_file(self):
         with open(HASHES, encoding="utf-8") as file:
@@ -140,6 +169,8 @@ class HashTest(Case):
             for name, given, settings in cases:
                 found["surface/" + name] = hash_of(given, settings)
         found.update(hashed_samples())
+        for name, given, settings, of_triangulation in meshes():
+            found["mesh/" + name] = hash_of_mesh(given, settings, of_triangulation)
         self.assertEqual(found, rows)
 
 

@@ -11,6 +11,7 @@ from classtests import FOLDER, TABLE, Filter, Source, cloud, run_tests, source, 
 ROOT = FOLDER.parents[2]
 REFERENCE = (ROOT / "Plugin" / "Documentation" / "Reference.md").read_text(encoding="utf-8")
 Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
+QualityMesh = tested_class("vtkAdaptiveHilbertQualityMesh2D")
 BASES = vtk("vtkCommonExecutionModel").vtkPolyDataAlgorithm, vtk("vtkCommonExecutionModel").vtkDataSetAlgorithm
 # Of a property of ParaView that is none of a class: how the panel shows others, and the inputs.
 OF_PANEL = {"Input", "Surface", "Voronoi", "Values"}
@@ -36,7 +37,7 @@ def all_arrays():
     """The names of all arrays of an execution with everything on."""
     points = [(0, 0, 0), (4, 0, 1), (4, 4, 2), (0, 4, 3), (1, 2, 4), (3, 1, 5), (1, 2, 6)]
     made = []
-    for algorithm in (Filter(), Interpolation()):
+    for algorithm in (Filter(), Interpolation(), QualityMesh()):
         given = cloud(points)
         for name in members(type(algorithm), "Set"):
             if name.startswith("Generate"):
@@ -58,7 +59,7 @@ class ReferenceTest(unittest.TestCase):
         self.assertEqual(sorted(name for name in names if not is_named(name)), [])
 
     def test_settings_and_measures(self):
-        for kind, least in ((Filter, 55), (Interpolation, 20), (Source, 4)):
+        for kind, least in ((Filter, 55), (Interpolation, 20), (QualityMesh, 14), (Source, 4)):
             self.check(members(kind, "Get"), least)
 
     def test_arrays(self):

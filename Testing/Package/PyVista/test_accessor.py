@@ -465,7 +465,7 @@ class FoundTest(unittest.TestCase):
         self.assertIn("adaptive", dir(pyvista.PolyData()))
         self.assertIn("even_odd", inspect.getdoc(RUN.delaunay_2d))
         self.assertNotIn("mesh", inspect.signature(RUN.voronoi_2d).parameters)
-        for name in ("delaunay_2d", "voronoi_2d", "to_raster", "sample", "outline"):
+        for name in ("delaunay_2d", "voronoi_2d", "to_raster", "sample", "refine", "outline"):
             text = inspect.getdoc(getattr(RUN, name))
             for keyword in inspect.signature(getattr(RUN, name)).parameters:
                 self.assertRegex(text, r"(?m)^(\w+, )*%s(, \w+)*($| : )" % keyword, name)

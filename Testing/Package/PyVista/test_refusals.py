@@ -73,6 +73,13 @@ ROWS = [
     ("voronoi_2d", dict(clip=[[0, 0], [1, 0], [2, 0]]), ValueError,
      "clip has no area, but it must be two opposite corners of a box, or the corners of a convex polygon in their "
      "order. Nothing was computed."),
+    ("refine", dict(sizes="side"), ValueError, "sizes: the points have no array 'side'"),
+    ("refine", dict(sizes=[1.0]), ValueError, "sizes must be one number for each of 6 points, not of shape (1,)"),
+    ("refine", dict(sizes=[1.0] * 5 + [0.0]), ValueError,
+     "The size at point 5 is 0.000000: sizes must be finite and above 0. Nothing was computed."),
+    ("refine", dict(minimum_angle=35), ValueError, "minimum_angle must be a number from 0 to 34, not 35"),
+    ("refine", dict(maximum_area=0), ValueError, "maximum_area must be a finite number greater than 0, not 0"),
+    ("refine", dict(maximum_added=-1), ValueError, "maximum_added must be a whole number, 0 or more, not -1"),
     ("outline", dict(groups="side"), ValueError, "groups: the cells have no array 'side'; there are []"),
     ("sample", dict(places=pyvista.MultiBlock([MESH])), TypeError,
      "places are one mesh or an array, not a MultiBlock: its combine() is one mesh"),
@@ -89,6 +96,8 @@ OF_OTHERS = [  # (mesh, method, arguments, exception, text)
      "cast_to_unstructured_grid() give it some"),
     (MESH.cast_to_unstructured_grid(), "delaunay_2d", dict(inplace=True), TypeError,
      "inplace: a pyvista.PolyData can be overwritten, not UnstructuredGrid"),
+    (pyvista.MultiBlock([MESH]), "refine", dict(sizes=[1.0] * 6), TypeError,
+     "sizes of a MultiBlock are the name of an array that its blocks have"),
     (MESH.cast_to_unstructured_grid(), "outline", {}, TypeError,
      "an outline is that of a pyvista.PolyData, not of UnstructuredGrid: extract_surface() makes one"),
 ]
