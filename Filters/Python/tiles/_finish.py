@@ -28,6 +28,7 @@ class Wanted(NamedTuple):
     pieces: Optional[str]  #: the folder of a TIN
     names: Tuple[str, ...]  #: point data of a TIN that the files have
     hasLines: bool
+    longest: float  #: edge; 0: no limit
 
 
 def groups_of(plan: Plan, piece: int) -> List[range]:
@@ -75,18 +76,20 @@ class Finish:
         """Writes its cells. Returns its triangles, of numbers of points in the order of the leaves."""
         own = records_of(self.store, leaf, self.kind)["xyz"]
         shares = [self.store.load_bytes("share", str(node)) for node in self.plan.above(leaf)]
+        isThere = True
         if self.wanted.hasLines:
-            given = np.ascontiguousarray(own), self.store.load_bytes("own", str(leaf))
-            numbers = leaves.surface(leaf, *given, shares)
+            given = np.ascontiguousarray(own), self.store.load_bytes("own", str(leaf)), shares
+            numbers, isThere = leaves.surface(leaf, *given, self.wanted.longest)
         else:
             numbers = leaves.listed(leaf, shares)
         points = np.empty((len(own) + len(numbers), 3))
         points[: len(own)] = own
         points[len(own) :] = self._records(numbers)["xyz"]
-        leaves.triangulate(points, self.plan.bounds)
+        if isThere:
+            leaves.triangulate(points, self.plan.bounds)
         if self._has_cells(leaf):
-            self._sample(leaves, leaf, points)
-        if self.wanted.pieces is None:
+            self._sample(leaves, leaf, points if isThere else None)
+        if self.wanted.pieces is None or not isThere:
             return np.empty((0, 3), np.int64)
         triangles = leaves.array("triangles").reshape(-1, 3)
         triangles = triangles.compress(triangles[:, 0] < len(own), axis=0)
@@ -101,16 +104,18 @@ class Finish:
             made[isHere] = records_of(self.store, leaf, self.kind).take(numbers[isHere] - self.begins[leaf])
         return made
 
-    def _sample(self, leaves: Leaves, leaf: int, points: np.ndarray) -> None:
+    def _sample(self, leaves: Leaves, leaf: int, points: Optional[np.ndarray]) -> None:
+        """`points`: of the triangles; None: there are none."""
         raster, (row, column, rows, columns) = self.wanted.raster, self.wanted.windows[leaf]
         assert raster is not None
-        z, step = np.ascontiguousarray(points[:, 2]), max(1, CELLS // columns)
+        z, step = None if points is None else np.ascontiguousarray(points[:, 2]), max(1, CELLS // columns)
         with written(self.cells(leaf)) as file:
             header = {"descr": np.dtype(self.wanted.dtype).str, "fortran_order": False, "shape": (rows, columns)}
             np.lib.format.write_array_header_1_0(file, header)
             for begin in range(0, rows, step):
                 window = row + begin, column, min(step, rows - begin), columns
-                values = leaves.values(raster, window, z, self.wanted.method)
+                values = np.full(window[2:], np.nan) if z is None else \
+                    leaves.values(raster, window, z, self.wanted.method)  # fmt: skip
                 file.write(values.astype(self.wanted.dtype).tobytes())
 
     def _piece(self, group: range, triangles: np.ndarray) -> _pvtp.Piece:

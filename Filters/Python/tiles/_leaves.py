@@ -106,14 +106,18 @@ class Leaves(Job):
         self._call("ahd_tiles_list", leaf, _bytes(shares), len(shares), arrays=shares)
         return self.array("tiles_list_ids", np.int64)
 
-    def surface(self, leaf: int, points: np.ndarray, own: np.ndarray, shares: Sequence[np.ndarray]
-                ) -> np.ndarray:  # fmt: skip
-        """The same with lines: the next `triangulate` has the triangles that these leave."""
+    def surface(self, leaf: int, points: np.ndarray, own: np.ndarray, shares: Sequence[np.ndarray], longest: float
+                ) -> Tuple[np.ndarray, bool]:  # fmt: skip
+        """The same with lines and loops, which also makes the next `triangulate` have the triangles that these and a
+        longest edge leave: are there any?"""
+        self.set(maximum_edge_length=longest)
         given = leaf, described("points", points), None, _bytes([own]), _bytes(shares), len(shares)
         self._call("ahd_tiles_surface", *given, arrays=(points, own, *shares))
-        self.set_array("surface", self.array("tiles_surface", np.int64))
+        self.set(maximum_edge_length=0)
+        triangles = self.array("tiles_surface", np.int64).reshape(-1, 3)
+        self.set_array("surface", triangles)
         self.set_array("surface_edges", self.array("tiles_surface_edges", np.uint8))
-        return self.array("tiles_list_ids", np.int64)
+        return self.array("tiles_list_ids", np.int64), len(triangles) > 0
 
     def triangulate(self, points: np.ndarray, bounds: np.ndarray) -> None:
         """A leaf's points and, behind them, those of its list, (n, 3). `bounds`: of all points."""

@@ -108,6 +108,9 @@ class Options:
         if not (0 < self.leaf <= 1 << 26 and 0 < self.piece <= 1 << 28):
             raise BadOptions("leaf must be from 1 to %d, and piece to %d" % (1 << 26, 1 << 28))
         if self.raster:
+            if self.raster.method == "nearest" and (len(self.lines) or len(self.loops)):
+                raise BadOptions("method nearest takes neither lines nor loops: lines do not change which vertex is "
+                                 "nearest, and behind loops any may be")  # fmt: skip
             self.raster.check()
 
     def files_found(self) -> List[str]:

@@ -75,7 +75,7 @@ class Kind(NamedTuple):
 
     method: str
     dtype: str
-    record: int  #: bytes of a point
+    record: int  #: bytes of a point in the work folder
     piece: int  #: points of a piece of a TIN; 0: there is none
 
 

@@ -162,7 +162,8 @@ class Run:
         """With as many threads as there is memory for, one at least."""
         given, shape = self.options.raster, None if self.raster is None else self.raster.shape
         kind = _plan.Kind(given.method if given else "linear", given.dtype if given else "float32",
-                          self.points.kind.itemsize, self.options.piece if self.folder else 0)  # fmt: skip
+                          self.points.kind.itemsize + 24 * self._has_lines(),
+                          self.options.piece if self.folder else 0)  # fmt: skip
         made: Optional[_plan.Plan] = None
         for threads in range(self.threads, 0, -1):
             made = _plan.planned(counted, self.plan.counts, shape, kind, self.read, threads)
@@ -189,12 +190,12 @@ class Run:
         windows = [leaves.cells(leaf, cells) for leaf in range(count_)] if cells else []
         wanted = Wanted(cells, windows, METHODS.index(raster.method) if raster else 0,
                         raster.dtype if raster else "float32", self.folder and self.folder + PART,
-                        tuple(counted.fields), self._has_lines())  # fmt: skip
+                        tuple(counted.fields), self._has_lines(), self.options.longest_edge)  # fmt: skip
         finish = Finish(self.store, self.plan, self.points.kind, wanted)
         threads = max(1, min(self.threads, count_))
         workers = Workers(threads, self.plan.saved, {
             "duplicates": DUPLICATES[self.options.duplicates], "threads": max(1, self.threads // threads),
-            "maximum_edge_length": self.options.longest_edge})  # fmt: skip
+            "maximum_edge_length": 0 if self._has_lines() else self.options.longest_edge})  # fmt: skip
         self._visit(workers)
         groups = self._finish(workers, finish)
         self._write(finish, groups)

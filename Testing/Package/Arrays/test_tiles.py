@@ -2,6 +2,7 @@
 """Tiles give the bytes of one piece: triangles, rasters of every method, whatever the leaves, the threads, the memory
 and, for rasters, the order of the files."""
 
+import json
 import unittest
 import warnings
 
@@ -127,6 +128,88 @@ class RasterTest(TilesTest):
         tiles.make([self.path], raster=tiles.GeoTiff(self.at("a.tif"), 1.0), tin=self.at("a.pvtp"), leaf=100)
         self.assertEqual(hash_of(raster_of(self.at("a.tif"))[0]), hash_of(self.one_piece(1.0).astype(np.float32)))
         self.assert_is_one_piece(self.points, self.at("a.pvtp"))
+
+
+class LinesTest(TilesTest):
+    """Breaklines, some of which cross, and loops."""
+
+    def setUp(self):
+        super().setUp()
+        self.points = next(points for name, points in kinds(COUNT) if name == "uniform")
+        rng = np.random.default_rng(3)
+        self.chains = [np.column_stack((np.cumsum(rng.random((k, 2)) * 20 - 6, axis=0) + (20, 10), rng.random(k)))
+                       for k in (2, 9, 30, 5)]  # fmt: skip
+        around = np.array([(2, 3, 1), (97, 5, 2), (90, 57, 3), (50, 40, 4), (5, 55, 5)], float)
+        hole = np.array([(60, 10, 9), (75, 12, 9), (68, 30, 9)], float)
+        self.rings = [around, hole]
+
+    def written(self, name, kind, coordinates):
+        with open(self.at(name), "w", encoding="utf-8") as file:
+            json.dump({"type": kind, "coordinates": coordinates}, file)
+        return self.at(name)
+
+    def files(self):
+        """Arguments of make() for lines and loops."""
+        lines = self.written("lines.json", "MultiLineString", [chain.tolist() for chain in self.chains])
+        closed = [np.concatenate((ring, ring[:1])).tolist() for ring in self.rings]
+        return {"lines": [lines], "loops": [self.written("loops.json", "Polygon", closed)]}
+
+    def whole(self, **given):
+        """Of one piece: points, corners, ids of the chains."""
+        parts = [*(self.chains if "lines" in given else ()), *(self.rings if "loops" in given else ())]
+        ends = len(self.points) + np.cumsum([0, *map(len, parts)])
+        ids = [np.arange(begin, end) for begin, end in zip(ends, ends[1:])]
+        count = len(self.chains) if "lines" in given else 0
+        return np.concatenate((self.points, *parts)), {"lines": ids[:count], "loops": ids[count:]}
+
+    def test_triangles(self):
+        given = self.files()
+        for chosen in (given, {"lines": given["lines"]}, {"loops": given["loops"]}):
+            points, chains = self.whole(**chosen)
+            want = one_piece(points, **chains).triangles.astype(np.int64)
+            for leaf, threads in ((10**6, 1), (300, 2), (60, 1)):
+                with self.subTest(chains=sorted(chosen), leaf=leaf):
+                    tiles.make([self.saved(self.points)], tin=self.at("a.pvtp"), leaf=leaf, threads=threads,
+                               overwrite=True, **chosen)  # fmt: skip
+                    self.assertEqual(hash_of(triangles_of(self.at("a.pvtp"))), hash_of(want))
+
+    @needs_raster
+    def test_rasters(self):
+        points, chains = self.whole(lines=1, loops=1)
+        made = one_piece(points, **chains)
+        limited = one_piece(points, maximum_edge_length=4.0, **chains)
+        for method, longest in (("linear", 0.0), ("natural", 0.0), ("laplace", 0.0), ("natural", 4.0), ("linear", 4.0)):
+            whole = limited if longest else made
+            want = whole.interpolate(points[:, 2], made.raster(0.9), method)[::-1]
+            for leaf in (10**6, 200):
+                with self.subTest(method=method, leaf=leaf, longest=longest):
+                    raster = tiles.GeoTiff(self.at("a.tif"), 0.9, method, dtype="float64")
+                    tiles.make([self.saved(self.points)], raster=raster, tin=self.at("a.pvtp"), leaf=leaf,
+                               longest_edge=longest, overwrite=True, **self.files())  # fmt: skip
+                    self.assertEqual(hash_of(raster_of(self.at("a.tif"))[0]), hash_of(want))
+                    want_triangles = hash_of(whole.triangles.astype(np.int64))
+                    self.assertEqual(hash_of(triangles_of(self.at("a.pvtp"))), want_triangles)
+
+    @needs_raster
+    def test_a_loop_that_most_leaves_are_outside_of(self):
+        self.rings = [np.array([(70, 30, 1), (90, 32, 2), (80, 50, 3)], float)]
+        points, chains = self.whole(loops=1)
+        made = one_piece(points, **chains)
+        want = made.interpolate(points[:, 2], Raster((0.5, 0.5), (1, 1), (60, 100)))[::-1].astype(np.float32)
+        raster = tiles.GeoTiff(self.at("a.tif"), 1, bounds=(0, 100, 0, 60))
+        tiles.make([self.saved(self.points)], raster=raster, leaf=60, loops=self.files()["loops"])
+        self.assertEqual(hash_of(raster_of(self.at("a.tif"))[0]), hash_of(want))
+
+    def test_refused(self):
+        flat = self.written("flat.json", "LineString", [(1, 2), (3, 4)])
+        open_ = self.written("open.json", "LineString", [(1, 2, 3), (3, 4, 5), (9, 9, 9)])
+        path = self.saved(self.points)
+        for chosen, said in (({"lines": [flat]}, "without z"), ({"loops": [open_]}, "not closed"),
+                             ({"lines": [self.at("no.json")]}, "cannot be read")):  # fmt: skip
+            with self.assertRaisesRegex(tiles.BadFile, said):
+                tiles.make([path], tin=self.at("a.pvtp"), **chosen)
+        with self.assertRaisesRegex(tiles.BadOptions, "nearest takes neither"):
+            tiles.make([path], raster=tiles.GeoTiff(self.at("a.tif"), 1, "nearest"), **self.files())
 
 
 if __name__ == "__main__":
