@@ -193,8 +193,28 @@ static void test_refusals(void)
   ahd_job_free(job);
 }
 
+/* Points on a line have no triangle, and so no chain: one offset, 0. */
+static void test_without_a_triangle(void)
+{
+  static const double line[] = { 0, 0, 1, 1, 2, 2 };
+  ahd_refine_request wished = { 20.0, 0.0, 0.0, NULL, AHD_REFINE_ALL };
+  ahd_refine_report report;
+  ahd_refined made;
+  int64_t offset = 7;
+  ahd_job* job = ahd_job_of(line, 3, 2);
+  CHECK_OK(job, ahd_run(job));
+  CHECK_OK(job, ahd_refine(job, &wished, &report));
+  CHECK(report.points == 0 && report.chains == 0 && report.bad == 0);
+  memset(&made, 0, sizeof made);
+  made.offsets = &offset;
+  CHECK_OK(job, ahd_refine_write(job, &made));
+  CHECK(offset == 0);
+  ahd_job_free(job);
+}
+
 void test_refine(void)
 {
+  test_without_a_triangle();
   test_a_run_with_them();
   test_refusals();
 }

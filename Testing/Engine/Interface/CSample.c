@@ -274,7 +274,8 @@ static void test_refused(void)
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_sample(job, NULL, &array, 1, NULL));
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_sample(job, &places, NULL, 1, NULL));
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_sample_weights(job, NULL));
-  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_sample_estimate(job, &places, 1, NULL));
+  CHECK_NULL(job, "bytes", ahd_sample_estimate(job, &places, 1, NULL));
+  CHECK_NULL(job, "places", ahd_sample_estimate(job, NULL, 1, &bytes));
   array.columns = -1;
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_sample(job, &places, &array, 1, NULL));
   array.columns = 2;

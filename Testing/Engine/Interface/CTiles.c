@@ -267,6 +267,12 @@ static void expect_refusals(tiles* all)
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_triangles(job, 3, &points, ids, &none, shares, above));
   CHECK_STATUS(job, AHD_BAD_VALUE, ahd_tiles_cells(job, 3, &raster, piece));
   CHECK_SAYS(job, "extent");
+  CHECK_NULL(job, "raster", ahd_tiles_cells(job, 3, NULL, piece));
+  CHECK_NULL(job, "piece", ahd_tiles_cells(job, 3, &raster, NULL));
+  CHECK_NULL(job, "points", ahd_tiles_visit(job, 3, NULL, ids));
+  CHECK_NULL(job, "points", ahd_tiles_count(job, NULL));
+  CHECK_NULL(job, "points", ahd_tiles_leaf_of(job, NULL, all->leaf_of));
+  CHECK_NULL(job, "leaves", ahd_tiles_leaf_of(job, &points, NULL));
   ids[1] = ids[0];
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_visit(job, 3, &points, ids));
   CHECK_SAYS(job, "ascend");

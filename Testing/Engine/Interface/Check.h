@@ -38,6 +38,14 @@ extern int ahd_failures;
 
 #define CHECK_OK(job, call) CHECK_STATUS(job, AHD_OK, call)
 
+/* The call is refused, as this pointer is null. */
+#define CHECK_NULL(job, what, call)                                                                \
+  do                                                                                               \
+  {                                                                                                \
+    CHECK_STATUS(job, AHD_BAD_ARRAY, call);                                                        \
+    CHECK(strcmp(ahd_message(job), "The pointer to the " what " is null.") == 0);                  \
+  } while (0)
+
 /* The message contains this. */
 #define CHECK_SAYS(job, text)                                                                      \
   do                                                                                               \
