@@ -102,6 +102,30 @@ void ShareWriter::add(const TileSection& section)
   index_ += sizeof(SectionEnd);
 }
 
+namespace
+{
+
+/// Of so many entries at `index`, leaves ascending, the number of the first that is not before it.
+std::size_t findEntry(const unsigned char* index, std::size_t count, std::size_t leaf)
+{
+  std::size_t begin = 0, end = count;
+  while (begin < end)
+  {
+    const std::size_t middle = (begin + end) / 2;
+    if (numberAt(index + middle * sizeof(SectionEnd)) < leaf)
+    {
+      begin = middle + 1;
+    }
+    else
+    {
+      end = middle;
+    }
+  }
+  return begin;
+}
+
+} // namespace
+
 bool readSection(const TilePlan& plan, std::size_t node, std::size_t leaf, const TileView& share,
   TileSection& section)
 {
@@ -115,26 +139,14 @@ bool readSection(const TilePlan& plan, std::size_t node, std::size_t leaf, const
   }
   const std::size_t count = static_cast<std::size_t>(numberAt(content.data));
   const unsigned char* const index = content.data + kNumber;
-  std::size_t begin = 0, end = count;
-  while (begin < end)
-  {
-    const std::size_t middle = (begin + end) / 2;
-    if (numberAt(index + middle * kEntry) < leaf)
-    {
-      begin = middle + 1;
-    }
-    else
-    {
-      end = middle;
-    }
-  }
-  if (begin == count || numberAt(index + begin * kEntry) != leaf)
+  const std::size_t k = findEntry(index, count, leaf);
+  if (k == count || numberAt(index + k * kEntry) != leaf)
   {
     return true;
   }
-  const std::uint64_t from = begin == 0 ? sizeof(Head) + kNumber + count * kEntry
-                                        : numberAt(index + begin * kEntry - kNumber);
-  const std::uint64_t to = numberAt(index + begin * kEntry + kNumber);
+  const std::uint64_t first = sizeof(Head) + kNumber + count * kEntry;
+  const std::uint64_t from = k == 0 ? first : numberAt(index + k * kEntry - kNumber);
+  const std::uint64_t to = numberAt(index + k * kEntry + kNumber);
   if (from > to || to > share.size)
   {
     return false;

@@ -100,60 +100,78 @@ bool TileVisits::joinSegments(
   return goesOn && around.segments.build(std::move(pairs), region, points / 4, ticker);
 }
 
-/// Their corners are the points at their places. Loops are closed by a corner more: places of
-/// points that are none are equal, and would close others.
+namespace
+{
+
+/// Constraints of the points of a part.
+struct PlacedLines
+{
+  std::vector<std::int64_t> ids; ///< numbers of the points, -1 where there is none
+  std::vector<std::int64_t> offsets{ 0 };
+};
+
+/// The corners of lines are the points at their places. Loops are closed by a corner more: places
+/// that are no point's are equal, and would close others. Returns false if cancelled.
+bool placeCorners(const TileLines& lines, const std::vector<BorderPoint>& points, Ticker& ticker,
+  PlacedLines& placed)
+{
+  using Place = std::pair<Point, Index>;
+  const auto isBefore = [](const Place& a, const Place& b)
+  { return lexicographicallyLess(a.first, b.first); };
+  std::vector<Place> places;
+  const auto add = [&](std::size_t i)
+  {
+    if ((points[i].marks & BorderPoint::kEndOfSegment) != 0)
+    {
+      places.emplace_back(points[i].at, static_cast<Index>(i));
+    }
+  };
+  if (!inSteps(0, points.size(), ticker, add) || !sortAsking(places, ticker, isBefore))
+  {
+    return false;
+  }
+  const auto put = [&](std::size_t k)
+  {
+    const auto at = std::lower_bound(
+      places.begin(), places.end(), Place{ lines.corners[k], 0 }, isBefore);
+    const bool isThere = at != places.end() && at->first == lines.corners[k];
+    placed.ids.push_back(isThere ? std::int64_t(at->second) : -1);
+  };
+  for (std::size_t chain = 0; chain != lines.chains(); ++chain)
+  {
+    const auto begin = static_cast<std::size_t>(lines.offsets[chain]);
+    const auto end = static_cast<std::size_t>(lines.offsets[chain + 1]);
+    const bool isOpen = end > begin && !(lines.corners[begin] == lines.corners[end - 1]);
+    if (!inSteps(begin, end, ticker, put))
+    {
+      return false;
+    }
+    if (chain >= lines.lines && isOpen)
+    {
+      put(begin);
+    }
+    placed.offsets.push_back(static_cast<std::int64_t>(placed.ids.size()));
+  }
+  return true;
+}
+
+} // namespace
+
 Status TileVisits::constrain(Part& part, const Context& context) const
 {
   const TileLines& lines = plan_.facts().lines;
-  if (lines.chains() == 0)
-  {
-    return Status::Ok;
-  }
-  std::vector<std::int64_t> ids, offsets{ 0 };
+  PlacedLines placed;
   const Status found = unlessCancelled(
     [&]
     {
-      using Place = std::pair<Point, Index>;
-      const auto isBefore = [](const Place& a, const Place& b)
-      { return lexicographicallyLess(a.first, b.first); };
       Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
-      std::vector<Place> places;
-      const std::vector<BorderPoint>& given = part.given();
-      const auto add = [&](std::size_t i)
-      {
-        if ((given[i].marks & BorderPoint::kEndOfSegment) != 0)
-        {
-          places.emplace_back(given[i].at, static_cast<Index>(i));
-        }
-      };
-      if (!inSteps(0, given.size(), ticker, add) || !sortAsking(places, ticker, isBefore))
-      {
-        return false;
-      }
-      const auto put = [&](std::size_t k)
-      {
-        const auto at = std::lower_bound(
-          places.begin(), places.end(), Place{ lines.corners[k], 0 }, isBefore);
-        const bool isThere = at != places.end() && at->first == lines.corners[k];
-        ids.push_back(isThere ? std::int64_t(at->second) : -1);
-      };
-      for (std::size_t chain = 0; chain != lines.chains(); ++chain)
-      {
-        const auto begin = static_cast<std::size_t>(lines.offsets[chain]);
-        const auto end = static_cast<std::size_t>(lines.offsets[chain + 1]);
-        const bool isOpen = end > begin && !(lines.corners[begin] == lines.corners[end - 1]);
-        if (!inSteps(begin, end, ticker, put) ||
-          (chain >= lines.lines && isOpen && !inSteps(begin, begin + 1, ticker, put)))
-        {
-          return false;
-        }
-        offsets.push_back(static_cast<std::int64_t>(ids.size()));
-      }
-      return true;
+      return !plan_.hasLines() || placeCorners(lines, part.given(), ticker, placed);
     });
-  const ConstraintView view{ ids.data(), offsets.data(), lines.chains(),
+  const ConstraintView view{ placed.ids.data(), placed.offsets.data(), lines.chains(),
     static_cast<std::size_t>(lines.lines) };
-  return found != Status::Ok ? found : part.constrain(view, FillRule(lines.rule), context);
+  return found != Status::Ok || !plan_.hasLines()
+    ? found
+    : part.constrain(view, FillRule(lines.rule), context);
 }
 
 } // namespace ahd

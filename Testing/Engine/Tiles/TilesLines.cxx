@@ -172,12 +172,18 @@ ahd_array arrayOf(const void* data, std::int32_t type, std::int64_t rows, std::i
   return { data, type, columns, rows, columns * size, size };
 }
 
+/// How values are made.
+struct Sampling
+{
+  std::int64_t method;
+  double longest; ///< edge; 0: no limit
+};
+
 /// The cells of a leaf by an ordinary run of its points, its list and its surface.
-Cells sampleLeaf(
-  TilesRun& run, std::size_t leaf, const SampleRaster& piece, std::int64_t method, double longest)
+Cells sampleLeaf(TilesRun& run, std::size_t leaf, const SampleRaster& piece, const Sampling& how)
 {
   SecondVisit visit = run.second(leaf);
-  const TileOutput surface = run.surface(leaf, longest);
+  const TileOutput surface = run.surface(leaf, how.longest);
   if (surface.surface.empty())
   {
     const std::size_t count = piece.columns * piece.rows;
@@ -194,11 +200,32 @@ Cells sampleLeaf(
   ahd_set_array(job.job(), "rank_bounds", &bounds);
   ahd_set_array(job.job(), "surface", &triangles);
   ahd_set_array(job.job(), "surface_edges", &edges);
-  job.set("sample_method", method);
+  job.set("sample_method", how.method);
   EXPECT_EQ(job.run(), AHD_OK) << ahd_message(job.job());
   return sample(job, visit.ids, piece);
 }
 
+/// The same, leaf by leaf.
+Cells sampleLeaves(TilesRun& run, const SampleRaster& raster, std::int64_t method, double longest)
+{
+  const std::size_t count = raster.columns * raster.rows;
+  Cells tiled{ std::vector<double>(count), std::vector<std::uint8_t>(count) };
+  for (std::size_t leaf = 0; leaf != run.plan().leaves(); ++leaf)
+  {
+    const SampleRaster piece = run.plan().pieceOf(raster, leaf);
+    const Cells part = sampleLeaf(run, leaf, piece, { method, longest });
+    for (std::size_t k = 0; k != part.mask.size(); ++k)
+    {
+      const std::size_t at = (piece.firstRow + k / piece.columns) * raster.columns +
+        piece.firstColumn + k % piece.columns;
+      tiled.values[at] = part.values[k];
+      tiled.mask[at] = part.mask[k];
+    }
+  }
+  return tiled;
+}
+
+/// `longest`: edge, in cells; 0: no limit.
 void expectTheRaster(
   const ConstraintCase& given, std::uint64_t most, double longest, const std::string& name)
 {
@@ -209,21 +236,14 @@ void expectTheRaster(
     ids.push_back(std::int64_t(ids.size()));
     bounds = isFinite(p) ? joined(bounds, p) : bounds;
   }
-  const double pitch = isEmpty(bounds)
-    ? 0.0
-    : std::max(bounds.xmax - bounds.xmin, bounds.ymax - bounds.ymin) / 37.3;
-  if (!(pitch > 0.0 && pitch < 1e300))
+  const SampleRaster raster = rasterAround(bounds, 40);
+  if (raster.rows == 0)
   {
     return;
   }
-  SampleRaster raster;
-  raster.origin = { bounds.xmin - pitch, bounds.ymax + pitch };
-  raster.spacing = { pitch, -pitch };
-  raster.columns = raster.rows = 40;
-  const Point last = raster.at(39, 39);
   TilesWay way;
   way.most = most;
-  way.extent = { raster.origin.x, last.x, last.y, raster.origin.y };
+  way.extent = boundsOf(raster);
   way.lines = linesOf(given, FillRule::Orientation);
   TilesRun run(viewOf(given.points), way);
   for (const std::int64_t method :
@@ -233,33 +253,18 @@ void expectTheRaster(
     job.setPoints(viewOf(given.points));
     job.setConstraints(given.constraints.view());
     job.set("sample_method", method);
-    job.set("maximum_edge_length", longest * pitch);
+    job.set("maximum_edge_length", longest * raster.spacing.x);
     ASSERT_EQ(job.run(), AHD_OK) << ahd_message(job.job());
     if (job.count("delaunay_triangles") == 0)
     {
       return; // constraints do nothing
     }
     const Cells whole = sample(job, ids, raster);
-    Cells tiled{ std::vector<double>(1600), std::vector<std::uint8_t>(1600) };
-    for (std::size_t leaf = 0; leaf != run.plan().leaves(); ++leaf)
-    {
-      const SampleRaster piece = run.plan().pieceOf(raster, leaf);
-      const Cells part = sampleLeaf(run, leaf, piece, method, longest * pitch);
-      for (std::size_t k = 0; k != part.mask.size(); ++k)
-      {
-        const std::size_t at = (piece.firstRow + k / piece.columns) * 40 + piece.firstColumn +
-          k % piece.columns;
-        tiled.values[at] = part.values[k];
-        tiled.mask[at] = part.mask[k];
-      }
-    }
-    std::size_t wrong = 0;
-    for (std::size_t k = 0; k != 1600; ++k)
-    {
-      wrong += std::memcmp(&tiled.values[k], &whole.values[k], sizeof(double)) != 0 ? 1 : 0;
-    }
-    EXPECT_EQ(wrong, 0u) << name << ", method " << method << ", longest " << longest << ", "
-                         << run.plan().leaves() << " leaves";
+    const Cells tiled = sampleLeaves(run, raster, method, longest * raster.spacing.x);
+    const std::size_t bytes = whole.values.size() * sizeof(double);
+    EXPECT_EQ(std::memcmp(tiled.values.data(), whole.values.data(), bytes), 0)
+      << name << ", method " << method << ", longest " << longest << ", " << run.plan().leaves()
+      << " leaves";
     EXPECT_EQ(tiled.mask, whole.mask) << name;
   }
 }

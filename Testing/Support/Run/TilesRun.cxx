@@ -2,6 +2,7 @@
 #include "TilesRun.h"
 
 #include <algorithm>
+#include <cmath>
 #include <thread>
 
 namespace ahd
@@ -261,6 +262,26 @@ std::vector<std::int64_t> TilesRun::trianglesOfSecondVisits()
     }
   }
   return all;
+}
+
+SampleRaster rasterAround(const Bounds& b, std::size_t side)
+{
+  SampleRaster raster;
+  const double width = isEmpty(b) ? 0.0 : std::max(b.xmax - b.xmin, b.ymax - b.ymin);
+  const double pitch = width / double(side - 4) * 1.13;
+  if (pitch > 0.0 && std::fabs(b.xmin) < 1e300 && std::fabs(b.ymax) < 1e300 && width < 1e300)
+  {
+    raster.spacing = { pitch, -pitch };
+    raster.origin = { b.xmin - 2.1 * pitch, b.ymax + 1.7 * pitch };
+    raster.columns = raster.rows = side;
+  }
+  return raster;
+}
+
+Bounds boundsOf(const SampleRaster& raster)
+{
+  const Point a = raster.at(0, 0), b = raster.at(raster.columns - 1, raster.rows - 1);
+  return { std::min(a.x, b.x), std::max(a.x, b.x), std::min(a.y, b.y), std::max(a.y, b.y) };
 }
 
 std::vector<std::int64_t> trianglesOfOneRun(const PointView& points, Representative representative)

@@ -92,6 +92,12 @@ private:
   std::mutex telling_;
 };
 
+/// A raster of so many cells along a side around the points, with some beyond, its rows from above;
+/// without cells if there is no width.
+SampleRaster rasterAround(const Bounds& bounds, std::size_t side);
+/// Of its cells' centres.
+Bounds boundsOf(const SampleRaster& raster);
+
 inline TileView viewOf(const BlockBytes& bytes)
 {
   return { bytes.data(), bytes.size() };
