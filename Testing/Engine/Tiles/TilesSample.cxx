@@ -152,6 +152,54 @@ TEST(TilesSample, RastersOfEveryDistributionAreThoseOfOneRun)
   }
 }
 
+/// A place of a leaf four units in the last place from v, a vertex of another leaf, beside which
+/// only triangles that are too long lie in the leaf. The short one at v is on a circle that touches
+/// the vertical line through v there: its disc misses the leaf by so little that rounding matters.
+TEST(TilesSample, APlaceWithinRoundingOfTheRimInAnotherLeafHasAValue)
+{
+  constexpr double kRadius = 0.01, kDegree = 3.14159265358979323846 / 180;
+  const double edge = TileGrid({ 0, 1, 0, 1 }).placesOf(TileBox().quarter(0)).xmax;
+  Point v{ edge, 0.3 };
+  for (int k = 0; k != 4; ++k)
+  {
+    v.x = std::nextafter(v.x, 1.0);
+  }
+  std::vector<Point> points = { v, { 0, 0 }, { 1, 1 }, { 0, 1 }, { 1, 0 }, { 0.2, 0.2 },
+    { 0.25, 0.4 }, { 0.3, 0.3 }, { 0.5, 0.1 }, { 0.52, 0.45 } };
+  const auto add = [&](double degrees, double distance)
+  {
+    points.push_back({ v.x + kRadius - distance * kRadius * std::cos(degrees * kDegree),
+      v.y + distance * kRadius * std::sin(degrees * kDegree) });
+  };
+  for (const double degrees : { 70, -100 })
+  {
+    add(degrees, 1);
+  }
+  add(120, 1 - 1e-7); // the short triangle's, which only the other leaf's triangles have
+  add(95, 1.3);
+  add(190, 1.5);
+  add(145, 1.5);
+  std::vector<std::int64_t> ids(points.size());
+  for (std::size_t i = 0; i != ids.size(); ++i)
+  {
+    ids[i] = std::int64_t(i);
+  }
+  SampleRaster place;
+  place.origin = { edge, v.y };
+  place.columns = place.rows = 1;
+  const Sampling how{ SampleMethod::Linear, 1.8 * kRadius };
+  const Cells whole = sample(viewOf(points), ids, {}, place, how);
+  ASSERT_EQ(whole.mask[0], 1);
+  TilesWay way;
+  way.most = 8;
+  way.extent = { 0, 1, 0, 1 };
+  TilesRun run(viewOf(points), way);
+  ASSERT_NE(run.plan().leafOf(place.at(0, 0)), run.plan().leafOf(v));
+  const Cells tiled = sampleLeaves(run, place, how);
+  EXPECT_EQ(tiled.mask, whole.mask);
+  EXPECT_TRUE(areSame(tiled.values, whole.values));
+}
+
 } // namespace
 } // namespace test
 } // namespace ahd
