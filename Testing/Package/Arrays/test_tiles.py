@@ -2,12 +2,14 @@
 """Tiles give the bytes of one piece: triangles, rasters of every method, whatever the leaves, the threads, the memory
 and, for rasters, the order of the files."""
 
+import importlib
 import json
 import unittest
+import unittest.mock
 import warnings
 
 import numpy as np
-from adaptivehilbertdelaunay import Raster
+from adaptivehilbertdelaunay import Raster, _exchange
 from tilesupport import (
     TilesTest, bytes_of, hash_of, kinds, needs_raster, one_piece, pieces_of, raster_of, read_piece, tiles,
     triangles_of,
@@ -123,6 +125,21 @@ class RasterTest(TilesTest):
         np.testing.assert_array_equal(values, np.where(np.isnan(want), -9999, want).astype(np.float32))
         with open(self.at("a.tif"), "rb") as file:
             self.assertEqual(file.read(4), b"II+\0")  # BigTIFF
+
+    def test_by_either_package(self):
+        """rasterio and GDAL write the same values, to the same place."""
+        found = []
+        for name in ("rasterio", "osgeo.gdal"):
+            try:
+                package = importlib.import_module(name)
+            except ImportError:
+                continue
+            with unittest.mock.patch.object(_exchange, "writer", return_value=package):
+                raster = tiles.GeoTiff(self.at("a.tif"), 0.7, nodata=-1, crs="EPSG:25832")
+                tiles.make([self.path], raster=raster, leaf=200, overwrite=True)
+            values, place = raster_of(self.at("a.tif"))
+            found.append((hash_of(values), place))
+        self.assertEqual(len(set(found)), 1)
 
     def test_beside_a_tin(self):
         tiles.make([self.path], raster=tiles.GeoTiff(self.at("a.tif"), 1.0), tin=self.at("a.pvtp"), leaf=100)
