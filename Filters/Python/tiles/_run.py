@@ -22,8 +22,9 @@ from ._finish import Finish, Wanted, groups_of
 from ._leaves import Leaves
 from ._lines import chains_of
 from ._options import DUPLICATES, Options, Result, check_degrees
-from ._points import Counted, Points, count, records_of, scatter
+from ._points import Counted, Points, count, scatter
 from ._store import PART, Store, failing, sync, written
+from ._visits import Visits
 from ._work import Workers
 
 #: Is told the step ("count", "scatter", "visit", "finish", "write"), how much of it is done, 0 to 1, and the seconds
@@ -205,47 +206,9 @@ class Run:
         return len(self.points.chains.points) > 0
 
     def _visit(self, workers: Workers) -> None:
-        """Borders of the leaves, and of nodes as soon as their parts are done."""
-        store, plan, hasLines = self.store, self.plan, self._has_lines()
-        count_, parents = len(plan.counts), plan.parents.tolist()
-        parts: Dict[int, List[int]] = {}
-        for part, parent in enumerate(parents):
-            parts.setdefault(parent, []).append(part)
-
-        def is_done(part: int) -> bool:
-            has = store.has("share", str(part)) if part >= count_ else store.has("border", str(part))
-            return has or (parents[part] >= 0 and is_done(parents[part]))
-
-        done = set(filter(is_done, range(len(parents))))
-
-        def can_begin(node: int) -> bool:
-            return node >= 0 and node not in done and done.issuperset(parts[node])
-
-        def work(leaves: Leaves, part: int) -> None:
-            if part < count_:
-                xyz = np.ascontiguousarray(records_of(store, part, self.points.kind)["xyz"])
-                border, own = leaves.visit(part, xyz)
-                if hasLines:
-                    store.save_bytes("own", str(part), own)
-                store.save_bytes("border", str(part), border)
-                return
-            border, share = leaves.merge(part, [store.load_bytes("border", str(one)) for one in parts[part]])
-            store.save_bytes("border", str(part), border)
-            store.save_bytes("share", str(part), share)
-
-        def ended(part: int) -> List[int]:
-            done.add(part)
-            if part >= count_:
-                for folder in ("border", "share"):
-                    sync(store.path(folder))
-                for one in parts[part]:
-                    store.remove("border", str(one))
-            self.tell(1)
-            return [parents[part]] if can_begin(parents[part]) else []
-
-        self.tell.begin("visit", len(parents), len(done))
-        first = [node for node in range(count_, len(parents)) if can_begin(node)]
-        workers.run([*first, *(leaf for leaf in range(count_) if leaf not in done)], work, ended)
+        visits = Visits(self.store, self.plan, self.points.kind, self._has_lines())
+        self.tell.begin("visit", len(visits.parents), len(visits.done))
+        visits.run(workers, self.tell)
 
     def _finish(self, workers: Workers, finish: Finish) -> List[range]:
         groups = groups_of(self.plan, self.options.piece if self.folder else 0)
