@@ -464,7 +464,7 @@ class Request:
         """A job that is ready to run, with these arrays announced."""
         job = library.take_job()
         usual = library.defaults()
-        settings = {**self.settings, "threads": library.threads_for(self.settings["threads"])}
+        settings = {**self.settings, "threads": library.threads_for(int(self.settings["threads"]))}
         settings = {name: value for name, value in settings.items() if value != usual[name]}
         job.set(**settings, **{"want_" + name: 1 for name in wanted})
         for name, array in self.arrays.items():
