@@ -18,8 +18,9 @@ from adaptivehilbertdelaunay.tiles import _command, _points, _read, _store
 POINTS = next(points for name, points in kinds(600) if name == "uniform")
 
 
-def killed_at(commit, words, isBefore):
-    """Runs the command in a child that is killed at this commit, just before or after. Returns whether it was."""
+def killed_at(commit, words, isBefore, by="SIGKILL"):
+    """Runs the command in a child that gets a signal at this commit, just before or after. Returns whether it ended by
+    that."""
     child = os.fork()
     if child == 0:
         left, replace = [commit], os.replace
@@ -27,10 +28,10 @@ def killed_at(commit, words, isBefore):
         def counted(*paths):
             left[0] -= 1
             if left[0] == 0 and isBefore:
-                os.kill(os.getpid(), signal.SIGKILL)
+                os.kill(os.getpid(), getattr(signal, by))
             replace(*paths)
-            if left[0] == 0:
-                os.kill(os.getpid(), signal.SIGKILL)
+            if left[0] == 0 and not isBefore:
+                os.kill(os.getpid(), getattr(signal, by))
 
         os.replace, sys.stdout, sys.stderr = counted, io.StringIO(), io.StringIO()
         code = 99
@@ -39,9 +40,10 @@ def killed_at(commit, words, isBefore):
         finally:
             os._exit(code)
     _, status = os.waitpid(child, 0)
-    if not os.WIFSIGNALED(status):
-        assert os.WEXITSTATUS(status) in (0, 2), status  # 2: it was killed when all was done, and results are there
-    return os.WIFSIGNALED(status)
+    if os.WIFSIGNALED(status):
+        return True
+    assert os.WEXITSTATUS(status) in (0, 2, 130), status  # 2: it was killed when all was done, and results are there
+    return os.WEXITSTATUS(status) == 130
 
 
 class ResumeTest(TilesTest):
@@ -65,6 +67,19 @@ class ResumeTest(TilesTest):
                 self.assertGreater(commits, 1)
                 self.assertEqual(bytes_of(self.at("a.pvtp")), want)
                 self.assertEqual(sorted(os.listdir(self.folder)), ["a", "a.pvtp", "points.npy"])
+
+    @unittest.skipUnless(hasattr(os, "fork"), "no fork()")
+    def test_interrupted_at_every_commit(self):
+        """Ctrl-C ends a run within the step that it is at, on whichever thread that is."""
+        self.assertEqual(self.command(*self.words())[0], 0)
+        want = bytes_of(self.at("a.pvtp"))
+        for threads in ("1", "2"):
+            more, ends = ["--overwrite"], 0
+            while killed_at(3, self.words("--threads", threads, *more), False, "SIGINT"):
+                more, ends = ["--resume"], ends + 1
+                self.assertLess(ends, 200)
+            self.assertGreater(ends, 3)
+            self.assertEqual(bytes_of(self.at("a.pvtp")), want)
 
     @needs_raster
     @unittest.skipUnless(hasattr(os, "fork"), "no fork()")
