@@ -10,7 +10,7 @@ from typing import List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
-from .._interface import FILL_EVEN_ODD, Bytes, Facts, Places, address_of, array_type, described
+from .._interface import FILL_EVEN_ODD, Bytes, Places, address_of, array_type, described
 from .._library import Job
 from .._raster import Raster
 from ._lines import Chains
@@ -70,11 +70,6 @@ class Leaves(Job):
 
     def load(self, saved: np.ndarray) -> None:
         self._call("ahd_tiles_load", address_of(saved), saved.nbytes, arrays=(saved,))
-
-    def facts(self) -> Facts:
-        made = Facts()
-        self._call("ahd_tiles_get_facts", made)
-        return made
 
     def leaf_of(self, points: np.ndarray) -> np.ndarray:
         made = np.empty(len(points), np.int32)

@@ -13,7 +13,7 @@ import numpy as np
 
 from .._library import Job
 from . import _read
-from ._errors import BadFile, NoSurface
+from ._errors import BadFile, BadOptions, NoSurface
 from ._leaves import Leaves
 from ._lines import Chains
 from ._store import STARTED, Store, failing, sync
@@ -238,14 +238,14 @@ def _check_surface(points: Points, kept: int, spread: _Spread) -> None:
 # --- To the leaves ------------------------------------------------------------------------------------------
 
 
-def scatter(points: Points, leaves: Leaves, store: Store, tell: Tell) -> None:
-    """Each point to the file of its leaf, in the order of the files. Goes on where a run before ended: the files are
-    cut to what was committed. BadFile, WriteFailed."""
+def scatter(points: Points, leaves: Leaves, counts: np.ndarray, store: Store, tell: Tell) -> None:
+    """Each point to the file of its leaf, in the order of the files; `counts`: how many belong to each. Goes on where a
+    run before ended: the files are cut to what was committed. BadFile, BadOptions, WriteFailed."""
     with failing(store.path("leaf")):
         if store.has(STARTED):
             saved = store.load(STARTED)
         else:
-            saved = {"place": Place(), "sizes": [0] * int(leaves.facts().leaves), "isDone": False}
+            saved = {"place": Place(), "sizes": [0] * len(counts), "isDone": False}
         if saved["isDone"]:
             return
         place, sizes, since = Place(*saved["place"]), saved["sizes"], 0
@@ -266,6 +266,8 @@ def scatter(points: Points, leaves: Leaves, store: Store, tell: Tell) -> None:
                     _commit(store, dirty, {"place": place, "sizes": sizes, "isDone": False})
                     since = 0
                 tell(batch.read)
+        if [size // points.kind.itemsize for size in sizes] != counts.tolist():
+            raise BadOptions("files of points were changed while they were read: begin anew, in another --work folder")
         _commit(store, dirty, {"place": place, "sizes": sizes, "isDone": True})
 
 

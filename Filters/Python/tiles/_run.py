@@ -186,7 +186,7 @@ class Run:
 
     def _make(self, leaves: Leaves, counted: Counted, planned: _plan.Plan) -> None:
         self.tell.begin("scatter", self.points.said)
-        scatter(self.points, leaves, self.store, self.tell)
+        scatter(self.points, leaves, self.plan.counts, self.store, self.tell)
         raster, cells, count_ = self.options.raster, self.raster, len(self.plan.counts)
         windows = [leaves.cells(leaf, cells) for leaf in range(count_)] if cells else []
         wanted = Wanted(cells, windows, METHODS.index(raster.method) if raster else 0,

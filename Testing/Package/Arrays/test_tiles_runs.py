@@ -182,6 +182,14 @@ class ErrorTest(TilesTest):
         self.fails(2, "named twice", *self.tin(good, good))
         self.fails(3, "has no classes", *self.tin(good, "--class", "2"))
 
+    def test_files_that_change_meanwhile(self):
+        path = self.saved(POINTS)
+        for points, kind in ((POINTS[:300], tiles.BadFile), (POINTS**2 / 100, tiles.BadOptions)):
+            with self.assertRaisesRegex(kind, "says that it has 600 points, and has 300|were changed"):
+                tiles.make([path], tin=self.at("a.pvtp"), leaf=100, work=self.at(str(len(points))),
+                           show=lambda plan, now=points: np.save(path, now))  # fmt: skip
+            np.save(path, POINTS)
+
     def test_bad_files_are_left_out_on_request(self):
         good, bad = self.saved(POINTS), self.at("bad.xyz")
         with open(bad, "w", encoding="ascii") as file:
