@@ -85,8 +85,33 @@ bool sortByPlace(const Point* points, Ticker& ticker, std::vector<Index>& items)
     [&](Index a, Index b) { return lexicographicallyLess(points[a], points[b]); });
 }
 
-/// A polygon of hull points; what lies inside of it is no corner.
-bool findInner(const Point* points, std::size_t count, Ticker& ticker, std::vector<Point>& inner)
+/// What lies inside of a polygon of hull points is no corner of the hull.
+struct Inner
+{
+  std::vector<Point> polygon;
+  Bounds box; ///< inside of it, for most points; left of right if there is none
+
+  bool hasInside(const Point& p) const
+  {
+    const bool isInBox = p.x > box.xmin && p.x < box.xmax && p.y > box.ymin && p.y < box.ymax;
+    bool is = isInBox || polygon.size() > 2;
+    for (std::size_t k = 0; !isInBox && is && k < polygon.size(); ++k)
+    {
+      is = orient2d(polygon[k], polygon[k + 1 < polygon.size() ? k + 1 : 0], p) > 0;
+    }
+    return is;
+  }
+};
+
+/// A box among points near the four corners of all. From its left to its right the segment between
+/// the lower two is nowhere above it, and that between the upper two nowhere below: it is inside of
+/// their hull.
+Bounds boxWithin(const Point& sw, const Point& se, const Point& ne, const Point& nw)
+{
+  return { std::max(sw.x, nw.x), std::min(se.x, ne.x), std::max(sw.y, se.y), std::min(nw.y, ne.y) };
+}
+
+bool findInner(const Point* points, std::size_t count, Ticker& ticker, Inner& inner)
 {
   Extremes extremes;
   const bool goesOn = gather(count, ticker, extremes,
@@ -105,19 +130,11 @@ bool findInner(const Point* points, std::size_t count, Ticker& ticker, std::vect
   chains(points, ends, ticker, hull);
   for (const Index i : hull)
   {
-    inner.push_back(points[i]);
+    inner.polygon.push_back(points[i]);
   }
+  inner.box = boxWithin(points[extremes.lowest[2]], points[extremes.highest[3]],
+    points[extremes.highest[2]], points[extremes.lowest[3]]);
   return goesOn;
-}
-
-bool isStrictlyInside(const std::vector<Point>& polygon, const Point& p)
-{
-  bool is = polygon.size() > 2;
-  for (std::size_t k = 0; is && k < polygon.size(); ++k)
-  {
-    is = orient2d(polygon[k], polygon[k + 1 < polygon.size() ? k + 1 : 0], p) > 0;
-  }
-  return is;
 }
 
 } // namespace
@@ -126,7 +143,7 @@ bool findHullCorners(
   const Point* points, std::size_t count, Ticker& ticker, std::vector<Index>& corners)
 {
   corners.clear();
-  std::vector<Point> inner;
+  Inner inner;
   if (count == 0)
   {
     return true;
@@ -141,7 +158,7 @@ bool findHullCorners(
            {
              for (std::size_t i = a; i != b; ++i)
              {
-               if (!isStrictlyInside(inner, points[i]))
+               if (!inner.hasInside(points[i]))
                {
                  part.points.push_back(static_cast<Index>(i));
                }
