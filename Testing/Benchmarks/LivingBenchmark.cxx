@@ -276,7 +276,8 @@ struct DomainFile : MeshInput
     in >> count[0] >> count[1] >> count[2] >> loops;
     const auto read = [&in](std::vector<Point>& list, std::size_t many)
     {
-      for (list.resize(many); Point & p : list)
+      list.resize(many);
+      for (Point& p : list)
       {
         in >> p.x >> p.y;
       }

@@ -62,7 +62,7 @@ Status Edit::build(const Context& context)
 
 void Edit::nameVertices(const Triangulation& made)
 {
-  mesh_.begin(made);
+  mesh_.begin(made, [] { return true; });
   idOf_.assign(made.vertexCount() + 1, kNoIndex);
   for (Index v = 0; v < made.vertexCount(); ++v)
   {

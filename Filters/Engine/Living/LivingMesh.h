@@ -63,9 +63,11 @@ public:
   /// @pre empty; the places are not collinear
   void begin(const Point& a, const Point& b, const Point& c);
   /// Begins with a Triangulation, or what answers like one: its vertex v is v + 1, constraints are
-  /// not read. Throws std::bad_alloc. @pre empty; it has triangles, none dropped, and neighbors
-  template <typename Made>
-  void begin(const Made& made);
+  /// not read. Throws std::bad_alloc. Returns false where goesOn() does, which it asks once for
+  /// each vertex and triangle. @pre empty; it has triangles, none dropped, and neighbors; those of
+  /// a constrained one need their constraints before anything else changes
+  template <typename Made, typename GoesOn>
+  bool begin(const Made& made, const GoesOn& goesOn);
 
   std::size_t vertexCount() const { return places_.size() - 1; }
   const Point& place(Vertex v) const { return places_[v]; }
@@ -197,13 +199,16 @@ private:
   void makeEdge(const Way& way);
 
   // LivingRemove.cxx
-  Ring ringOf(Vertex v) const;
+  void findRing(Vertex v);
   bool canCutOff(Halfedge h) const;
-  Ring flipAway(Vertex v, std::vector<Edge>& made);
+  void flipAway(Vertex v, std::vector<Edge>& made);
   void joinThree(Vertex v, const Ring& ring);
   bool joinFour(Vertex v, const Ring& ring, std::vector<Edge>& made);
   void freeStar(Vertex v, const Ring& ring);
   std::size_t degreeOf(Vertex v) const;
+
+  template <typename Made>
+  void linkAs(const Made& made);
 
   // LivingHull.cxx
   void linkGhosts();
@@ -218,29 +223,44 @@ private:
   std::vector<Vertex> freeVertices_;
 
   std::vector<Edge> suspects_; ///< scratch; empty between calls
+  Ring ring_;                  ///< of the vertex that is removed
   // of the last insertion
   std::vector<Slot> cavity_, star_;
   std::vector<RimEdge> rim_;
   std::vector<Slot> starAt_; ///< by vertex: the triangle of the star whose rim edge leaves it
 };
 
-template <typename Made>
-void LivingMesh::begin(const Made& made)
+template <typename Made, typename GoesOn>
+bool LivingMesh::begin(const Made& made, const GoesOn& goesOn)
 {
   const std::size_t triangles = made.triangleCount();
+  bool isOn = true;
   reserve(made.vertexCount());
-  for (std::size_t v = 0; v < made.vertexCount(); ++v)
+  for (std::size_t v = 0; isOn && v < made.vertexCount(); ++v)
   {
-    newVertex(made.at(static_cast<Index>(v)));
+    const Point p = made.at(static_cast<Index>(v));
+    newVertex({ p.x + 0.0, p.y + 0.0 }); // 0.0 for -0.0
+    isOn = goesOn();
   }
-  for (std::size_t t = 0; t < triangles; ++t)
+  for (std::size_t t = 0; isOn && t < triangles; ++t)
   {
     const Index h = static_cast<Index>(3 * t);
     set(newSlot(), made.origin(h) + 1, made.origin(h + 1) + 1, made.origin(h + 2) + 1);
+    isOn = goesOn();
   }
+  if (isOn)
+  {
+    linkAs(made);
+  }
+  return isOn;
+}
+
+template <typename Made>
+void LivingMesh::linkAs(const Made& made)
+{
   // its half-edge e of a triangle leaves corner e; here it is opposite to corner e + 2
   const auto named = [](Index h) { return h / 3 * Mesh::kSlotSize + (h + 2) % 3; };
-  for (Index h = 0; h < 3 * triangles; ++h)
+  for (Index h = 0; h < 3 * made.triangleCount(); ++h)
   {
     const Index twin = made.twin(h);
     if (twin != kNoIndex && h < twin)

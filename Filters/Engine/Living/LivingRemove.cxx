@@ -21,18 +21,17 @@ bool LivingMesh::isRemovable(Vertex v) const
   return is;
 }
 
-/// Its neighbours, counterclockwise.
-LivingMesh::Ring LivingMesh::ringOf(Vertex v) const
+/// ring_ becomes its neighbours, counterclockwise.
+void LivingMesh::findRing(Vertex v)
 {
-  Ring ring;
+  ring_.clear();
   const Halfedge first = leaving(v);
   Halfedge h = first;
   do
   {
-    ring.push_back(target(h));
+    ring_.push_back(target(h));
     h = around(h);
   } while (h != first);
-  return ring;
 }
 
 std::size_t LivingMesh::degreeOf(Vertex v) const
@@ -57,8 +56,8 @@ bool LivingMesh::canCutOff(Halfedge h) const
 }
 
 /// Leaves v few neighbours: three, or four of which it lies between two; on the hull, those that
-/// are on the hull without it. Returns them.
-LivingMesh::Ring LivingMesh::flipAway(Vertex v, std::vector<Edge>& made)
+/// are on the hull without it. They are in ring_.
+void LivingMesh::flipAway(Vertex v, std::vector<Edge>& made)
 {
   Halfedge h = leaving(v);
   for (std::size_t size = degreeOf(v), failed = 0; size > 3 && failed < size;)
@@ -77,7 +76,7 @@ LivingMesh::Ring LivingMesh::flipAway(Vertex v, std::vector<Edge>& made)
       h = around(h);
     }
   }
-  return ringOf(v);
+  findRing(v);
 }
 
 /// Frees the triangles around v. Then rim_ is what lay opposite to it, in the order of the ring.
@@ -134,7 +133,8 @@ bool LivingMesh::joinFour(Vertex v, const Ring& ring, std::vector<Edge>& made)
 bool LivingMesh::remove(Vertex v)
 {
   std::vector<Edge>& made = suspects_;
-  Ring ring = flipAway(v, made);
+  flipAway(v, made);
+  Ring& ring = ring_;
   const auto ghost = std::find(ring.begin(), ring.end(), kGhost);
   bool isGone = true;
   if (ghost != ring.end())

@@ -116,8 +116,9 @@ Measured Criteria::measure(const Point corners[3], const double* sizes) const
       const Edges edges = edgesFrom(*this, corners[k], corners[p], corners[q]);
       isThin = isThin || square(cross(edges.a, edges.b)) < sineSquared_ * edges.lengths;
     }
+    const bool isAny = !sizes && length_ == kAny;
     const double size = sizes ? (sizes[p] + sizes[q]) / 2.0 : 0.0;
-    isLarge = isLarge || isTooLong(corners[p], corners[q], size);
+    isLarge = isLarge || (!isAny && isTooLong(corners[p], corners[q], size));
   }
   return { *least, apex, isThin, isLarge };
 }

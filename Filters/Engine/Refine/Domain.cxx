@@ -16,7 +16,7 @@ Domain::Domain(const Triangulation& made, const double* sizes, Ticker& ticker)
   , given_(sizes)
   , ticker_(ticker)
   , memory_(ticker)
-  , firstSteiner_(static_cast<Vertex>(made.vertexCount()) + kFirst)
+  , firstSteiner_(static_cast<Vertex>(made.vertexCount()) + kFirst + kFrame)
 {
 }
 
@@ -56,7 +56,7 @@ Domain::Vertex Domain::endOf(HalfEdge h, bool isTarget) const
 
 /// Four corners of a square far around: triangles outside reach them, and every edge of the input
 /// has a triangle on either side.
-void Domain::makeFrame()
+void Domain::addFrame()
 {
   Point least = made_.at(0), most = least;
   for (std::size_t v = 1; v < made_.vertexCount(); ++v)
@@ -70,35 +70,22 @@ void Domain::makeFrame()
   const double far = kFar * width_;
   const double left = least.x - far, right = most.x + far;
   const double low = least.y - far, high = most.y + far;
-  mesh_.begin({ left, low }, { right, low }, { right, high });
-  const Point last = { left, high };
-  mesh_.insert(last, mesh_.locate(last, 0));
+  for (const Point& p : { Point{ left, low }, { right, low }, { right, high }, { left, high } })
+  {
+    mesh_.insert(p, mesh_.locate(p, 0));
+  }
 }
 
 bool Domain::addVertices()
 {
-  room_ = made_.vertexCount() + kFirst;
+  room_ = firstSteiner_;
   memory_.atLeast(bytesFor(room_));
   mesh_.reserve(room_);
   inside_.assign(2 * room_ + 2, 0);
-  makeFrame();
-  if (given_)
-  {
-    sizes_.assign(room_ + 1, 0.0);
-  }
-  Slot hint = 0;
-  return inSteps(0, made_.vertexCount(), ticker_,
-    [&](std::size_t k)
-    {
-      const Point given = made_.at(static_cast<Index>(k));
-      const Point p = { given.x + 0.0, given.y + 0.0 }; // 0.0 for -0.0
-      const Vertex v = mesh_.insert(p, mesh_.locate(p, hint));
-      hint = Mesh::slotOf(mesh_.leaving(v));
-      if (given_)
-      {
-        sizes_[v] = given_[made_.pointOf(static_cast<Index>(k))];
-      }
-    });
+  sizes_.assign(given_ ? room_ + 1 : 0, 0.0);
+  return mesh_.begin(made_, [this] { return ticker_.step(); }) &&
+    inSteps(0, given_ ? made_.vertexCount() : 0, ticker_,
+      [&](std::size_t k) { sizes_[k + kFirst] = given_[made_.pointOf(static_cast<Index>(k))]; });
 }
 
 /// Constraint edges, and those between kept triangles and others.
@@ -177,7 +164,12 @@ bool Domain::fill()
 
 bool Domain::load()
 {
-  return addVertices() && findSegments() && constrainAll() && fill();
+  if (!addVertices() || !findSegments() || !constrainAll())
+  {
+    return false;
+  }
+  addFrame();
+  return fill();
 }
 
 Index Domain::segmentOf(Vertex p, Vertex q) const

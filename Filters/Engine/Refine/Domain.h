@@ -22,7 +22,8 @@ public:
   using Halfedge = LivingMesh::Halfedge;
   using Slot = LivingMesh::Slot;
 
-  static constexpr Vertex kFirst = 5; ///< after the ghost and the frame
+  static constexpr Vertex kFirst = 1; ///< after the ghost
+  static constexpr Vertex kFrame = 4;
 
   /// An edge of the input.
   struct Segment
@@ -81,7 +82,7 @@ private:
   bool findSegments();
   bool constrainAll();
   bool fill();
-  void makeFrame();
+  void addFrame();
   Vertex endOf(HalfEdge h, bool isTarget) const;
   std::size_t triangleNear(Vertex v) const;
   void setSize(Vertex v, const SteinerPoint& weights);

@@ -41,7 +41,8 @@ RefineFault faultOf(const RefineRequest& request)
 /// points.
 std::size_t mostFor(const Triangulation& made, const RefineRequest& request)
 {
-  const std::size_t there = std::max(made.points().count, made.vertexCount()) + Domain::kFirst;
+  const std::size_t there = std::max(made.points().count, made.vertexCount()) + Domain::kFirst +
+    Domain::kFrame;
   const std::size_t room = there < kMaximumPoints ? kMaximumPoints - there : 0;
   return std::min(request.mostSteinerPoints, room);
 }

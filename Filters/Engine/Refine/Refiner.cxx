@@ -36,8 +36,12 @@ bool Refiner::isBefore(const Item& a, const Item& b) const
   {
     return a.length < b.length;
   }
-  return std::lexicographical_compare(a.corners, a.corners + 3, b.corners, b.corners + 3,
-    [this](Vertex v, Vertex w) { return domain_.isLess(v, w); });
+  int k = 0;
+  while (k < 2 && a.corners[k] == b.corners[k])
+  {
+    ++k;
+  }
+  return domain_.isLess(a.corners[k], b.corners[k]);
 }
 
 void Refiner::push(std::vector<Item>& queue, const Item& item)
@@ -69,9 +73,10 @@ Refiner::Halfedge Refiner::pieceOf(const Item& item) const
 /// Is the triangle where it was? One that is made anew comes anew.
 bool Refiner::isThere(const Item& item) const
 {
-  const Vertex corners[] = { mesh_.apex(item.at), mesh_.apex(item.at + 1),
-    mesh_.apex(item.at + 2) };
-  return std::is_permutation(corners, corners + 3, item.corners);
+  const Slot s = Mesh::slotOf(item.at);
+  const auto isCorner = [&](Vertex v)
+  { return mesh_.apex(s) == v || mesh_.apex(s + 1) == v || mesh_.apex(s + 2) == v; };
+  return isCorner(item.corners[0]) && isCorner(item.corners[1]) && isCorner(item.corners[2]);
 }
 
 Refiner::Item Refiner::itemOf(Halfedge piece) const
@@ -139,11 +144,20 @@ bool Refiner::isEncroached(Halfedge h) const
 Refiner::Triangle Refiner::measure(Slot s) const
 {
   Vertex v[3] = { mesh_.apex(s), mesh_.apex(s + 1), mesh_.apex(s + 2) };
-  std::sort(v, v + 3, [this](Vertex a, Vertex b) { return domain_.isLess(a, b); });
+  const auto order = [this](Vertex& a, Vertex& b)
+  {
+    if (domain_.isLess(b, a))
+    {
+      std::swap(a, b);
+    }
+  };
+  order(v[0], v[1]);
+  order(v[1], v[2]);
+  order(v[0], v[1]);
   const Point places[3] = { domain_.place(v[0]), domain_.place(v[1]), domain_.place(v[2]) };
   const double sizes[3] = { domain_.sizeOf(v[0]), domain_.sizeOf(v[1]), domain_.sizeOf(v[2]) };
   const Measured m = criteria_.measure(places, domain_.hasSizes() ? sizes : nullptr);
-  return { { m.shortest, { v[0], v[1], v[2] }, s }, m };
+  return { { m.shortest, { v[0], v[1], v[2] }, s + static_cast<Halfedge>(m.apex) }, m };
 }
 
 /// Is the edge one between two segments that meet in a sharp angle, its ends equally far from
@@ -396,14 +410,14 @@ void Refiner::improve(const Item& item)
 {
   const Vertex* const v = item.corners;
   const Point corners[3] = { domain_.place(v[0]), domain_.place(v[1]), domain_.place(v[2]) };
-  const int apex = criteria_.measure(corners, nullptr).apex;
+  const int apex = static_cast<int>(item.at - Mesh::slotOf(item.at));
   const Point centre = criteria_.centre(corners, apex);
   if (criteria_.areClose(corners[(apex + 1) % 3], corners[(apex + 2) % 3]) || !isFinite(centre))
   {
     return;
   }
   LivingMesh::Spot spot{ LivingMesh::Kind::AtVertex, item.at };
-  const std::vector<Halfedge> pieces = piecesAgainst(centre, item.at, spot);
+  const std::vector<Halfedge> pieces = piecesAgainst(centre, Mesh::slotOf(item.at), spot);
   if (!pieces.empty())
   {
     if (splitAll(pieces))

@@ -41,7 +41,9 @@ private:
   {
     double length; ///< of the edge or the shortest one
     Vertex corners[3];
-    Halfedge at; ///< where it was: the edge, or the triangle's slot
+    /// Where it was: the edge, or the triangle's slot, plus which of `corners` is opposite to its
+    /// shortest edge.
+    Halfedge at;
   };
   struct Triangle
   {
