@@ -31,21 +31,6 @@
 vtkStandardNewMacro(vtkAdaptiveHilbertQualityMesh2D);
 vtkCxxSetObjectMacro(vtkAdaptiveHilbertQualityMesh2D, Triangulation, vtkAdaptiveHilbertDelaunay2D);
 
-namespace
-{
-/// The ranks whose points would have to be one mesh; 1: there are no others.
-int CountRanks(vtkAdaptiveHilbertDelaunay2D* triangulation)
-{
-#if VTK_MODULE_ENABLE_VTK_ParallelCore
-  vtkMultiProcessController* const ranks = triangulation->GetController();
-  return ranks && triangulation->GetDistributePoints() ? ranks->GetNumberOfProcesses() : 1;
-#else
-  static_cast<void>(triangulation);
-  return 1;
-#endif
-}
-}
-
 vtkAdaptiveHilbertQualityMesh2D::vtkAdaptiveHilbertQualityMesh2D()
   : Triangulation(vtkAdaptiveHilbertDelaunay2D::New())
 {
@@ -156,9 +141,8 @@ bool vtkAdaptiveHilbertQualityMesh2D::Execute(vtkInformationVector** inputs, con
     vtkAHDSay(this, ahd::Topic::Refusal, { { "triangulation_is_null", true } });
     return false;
   }
-  if (CountRanks(triangulation) > 1)
+  if (!this->MayRefine(triangulation))
   {
-    vtkAHDSay(this, ahd::Topic::Refusal, { { "mesh_ranks", CountRanks(triangulation) } });
     return false;
   }
   vtkAHDProgress progress(this);
@@ -201,6 +185,30 @@ bool vtkAdaptiveHilbertQualityMesh2D::Execute(vtkInformationVector** inputs, con
     outputs[1]->ShallowCopy(made[1]);
   }
   return isDone;
+}
+
+/// Says what is to say of several ranks. False: their points would have to be one mesh.
+bool vtkAdaptiveHilbertQualityMesh2D::MayRefine(vtkAdaptiveHilbertDelaunay2D* triangulation)
+{
+#if VTK_MODULE_ENABLE_VTK_ParallelCore
+  const auto countOf = [](vtkMultiProcessController* ranks)
+  { return ranks ? ranks->GetNumberOfProcesses() : 1; };
+  vtkMultiProcessController* const all = vtkMultiProcessController::GetGlobalController();
+  const int together = countOf(triangulation->GetController());
+  if (triangulation->GetDistributePoints() && together > 1)
+  {
+    vtkAHDSay(this, ahd::Topic::Refusal, { { "mesh_ranks", together } });
+    return false;
+  }
+  if (countOf(all) > 1 && !this->WarnedAboutRanks && all->GetLocalProcessId() == 0)
+  {
+    this->WarnedAboutRanks = true;
+    vtkAHDSay(this, ahd::Topic::Blocks, { { "mesh_ranks", countOf(all) } });
+  }
+#else
+  static_cast<void>(triangulation);
+#endif
+  return true;
 }
 
 void vtkAdaptiveHilbertQualityMesh2D::PrintSelf(ostream& os, vtkIndent indent)

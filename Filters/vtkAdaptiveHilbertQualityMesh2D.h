@@ -91,6 +91,9 @@ private:
 
   using Outputs = std::array<vtkSmartPointer<vtkPolyData>, 2>;
   bool Execute(vtkInformationVector** inputs, const Outputs& outputs);
+  bool MayRefine(vtkAdaptiveHilbertDelaunay2D* triangulation);
+
+  bool WarnedAboutRanks = false;
 };
 
 #endif

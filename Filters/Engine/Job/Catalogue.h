@@ -270,6 +270,10 @@ constexpr Row kRows[] = {
   { Topic::Blocks, "table", "without_points=vtkTable",
     "A table has no points: apply Table To Points (vtkTableToPolyData) to it first. Nothing was "
     "triangulated for it." },
+  { Topic::Blocks, "meshes of ranks", "mesh_ranks",
+    "There are {mesh_ranks} ranks, and each refines its own points only: the meshes of the ranks "
+    "do "
+    "not join." },
   { Topic::Blocks, "blocks of the source", "other_sources",
     "{other_sources} {other_sources?block of the source is not a vtkPolyData and was left out; it "
     "is a|blocks of the source are not vtkPolyData and were left out; the first is a} "

@@ -263,9 +263,7 @@ class _Executions:
             if self._triangulation is None:
                 raise _Stopped(messages.refusal(triangulation_is_null=1))
             values = self._surface_settings()
-            ranks = self._triangulation.GetController() if values["DistributePoints"] else None
-            if ranks and ranks.GetNumberOfProcesses() > 1:
-                raise _Stopped(messages.refusal(mesh_ranks=ranks.GetNumberOfProcesses()))
+            self._look_at_ranks(speaker, values["DistributePoints"])
             merged = Merged(vtk, speaker, values, *given)
             merged.warn()
             if merged.input is None:
@@ -289,6 +287,17 @@ class _Executions:
                 meshing.end()
         return False
 
+    def _look_at_ranks(self, speaker, distributes):
+        ranks = self._triangulation.GetController() if distributes else None
+        if ranks and ranks.GetNumberOfProcesses() > 1:
+            raise _Stopped(messages.refusal(mesh_ranks=ranks.GetNumberOfProcesses()))
+        ranks = self._backend.controller()
+        if ranks and ranks.GetNumberOfProcesses() > 1 and not self._warned_about_ranks and (
+                ranks.GetLocalProcessId() == 0):
+            self._warned_about_ranks = True
+            for text in messages.said(engine.SAY_BLOCKS, {"mesh_ranks": ranks.GetNumberOfProcesses()}):
+                speaker.warn(text)
+
     def PrintSelf(self):
         """The settings and measures, as text."""
         lines = ["%s: %s" % (setting.name, setting.text(self._values[setting.name])) for setting in settings.QUALITY]
@@ -305,7 +314,7 @@ def make_class(backend):
     def start(self):
         self._values = {setting.name: setting.default for setting in settings.QUALITY}
         self._values.update(MEASURES)
-        self._triangulation, self._must_describe_anew = None, False
+        self._triangulation, self._must_describe_anew, self._warned_about_ranks = None, False, False
 
     def begin(self):
         self.SetTriangulation(python_class(backend.package)())

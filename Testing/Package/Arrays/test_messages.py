@@ -167,6 +167,7 @@ def cases():
             "other_blocks": count, "first_other": "vtkTable", "unfit_marks": count, "without_points": "vtkImageData",
             "other_sources": count, "first_other_source": "vtkImageData"}  # fmt: skip
     yield engine.SAY_BLOCKS, "a table", {"without_points": "vtkTable"}
+    yield engine.SAY_BLOCKS, "ranks", {"mesh_ranks": 2}
 
 
 class MessagesTest(unittest.TestCase):
