@@ -36,14 +36,22 @@ std::vector<std::int64_t> numbersOf(const TilePlan& plan, const TilePoints& give
   return ids;
 }
 
+/// Triangles are written where they stay: these are most of what a visit keeps.
 bool writeOwn(const TilePlan& plan, std::size_t leaf, Part& part, Ticker& ticker, BlockBytes& own)
 {
-  beginBytes(TileKind::Own, plan, leaf, own);
-  std::vector<std::int32_t> triples(3 * part.finalTriangles());
   std::vector<Index> pieces;
-  const bool goesOn = (part.pieceCount() < 2 || part.listPieces(pieces, ticker)) &&
-    part.writeFinal(triples.data(), ticker);
-  BytesWriter{ own }(triples, pieces);
+  if (part.pieceCount() > 1 && !part.listPieces(pieces, ticker))
+  {
+    return false;
+  }
+  beginBytes(TileKind::Own, plan, leaf, own);
+  const std::uint64_t numbers = 3 * std::uint64_t(part.finalTriangles());
+  BytesWriter{ own }(numbers);
+  const std::size_t begin = own.size(); // a multiple of 8
+  own.reserve(begin + (numbers + pieces.size()) * sizeof(Index) + sizeof(std::uint64_t));
+  own.resize(begin + numbers * sizeof(Index));
+  const bool goesOn = part.writeFinal(reinterpret_cast<std::int32_t*>(own.data() + begin), ticker);
+  BytesWriter{ own }(pieces);
   endBytes(own);
   return goesOn;
 }
