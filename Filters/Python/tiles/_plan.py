@@ -89,11 +89,12 @@ def planned(
     tin, at_once, borders = points * (kind.piece > 0), min(threads, leaves), float(_SHARE * np.sqrt(counts).sum())
     work = _LEAF * most + _CELL * min(CELLS, cells / leaves) + _PIECE * min(tin, max(most, 1.5 * kind.piece))
     memory = _BASE + at_once * work + borders / math.sqrt(leaves)
+    output = (26 + 2 * len(counted.fields)) * tin + width * cells
     steps = {"scatter": read + _SCATTER * points, "visit": _VISIT * points / at_once,
              "finish": (_FINISH * points + _TIN * tin + _CELLS[kind.method] * cells) / at_once,
              "write": _TIFF * cells}  # fmt: skip
     return Plan(points, counted.not_finite, counted.other_class, leaves, shape, int(memory),
-                int(points * kind.record + borders + width * cells), int(32 * tin + width * cells),
+                int(points * kind.record + borders + width * cells), int(output),
                 sum(steps.values()), threads, steps)  # fmt: skip
 
 

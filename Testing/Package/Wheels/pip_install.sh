@@ -14,11 +14,12 @@ rm -rf "$folder"
 mkdir -p "$folder"
 "$python" -m venv "$folder/venv"
 
-# install <pip's arguments>...: the package is complete, the triangles are right.
+# install <pip's arguments>...: the package is complete, the triangles are right, the command works.
 install() {
   "$folder/venv/bin/pip" install --no-input --disable-pip-version-check "$@" \
     "--config-settings=build-dir=$folder/build" ${defines[@]+"${defines[@]}"}
   (cd "$folder" && venv/bin/python "$root/Testing/Package/Wheels/check_wheel.py" "$root/Data")
+  (cd "$folder" && venv/bin/adaptivehilbertdelaunay tiles "$root/Data/survey.csv" --tin survey.pvtp --overwrite)
 }
 
 # in_package <expression>: Python's value of it, of the package p
