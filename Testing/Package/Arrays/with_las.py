@@ -68,6 +68,21 @@ class LasTest(TilesTest):
             self.assertEqual(file.crs.to_epsg(), 25832)
         self.assertEqual(raster_of(self.at("a.tif"))[0].shape, (60, 100))
 
+    def test_reference_systems_by_number(self):
+        """Keys as in GeoTIFFs: the projected one counts, not the one below it; a system of one's own has no number."""
+        import laspy
+
+        for keys, said in (((3072, 25832), "EPSG:25832"), ((2048, 4258, 3072, 25833), "EPSG:25833"),
+                           ((2048, 4326), "EPSG:4326"), ((3072, 32767), None), ((1024, 1), None)):  # fmt: skip
+            rows = b"".join(struct.pack("<4H", key, 0, 1, value) for key, value in zip(keys[::2], keys[1::2]))
+            header = laspy.LasHeader(point_format=1, version="1.2")
+            header.vlrs.append(laspy.vlrs.VLR(
+                "LASF_Projection", 34735, "", struct.pack("<4H", 1, 1, 0, len(keys) // 2) + rows))  # fmt: skip
+            made = laspy.LasData(header)
+            made.x, made.y, made.z = POINTS.T
+            made.write(self.at("keys.las"))
+            self.assertEqual(_read.head_of(self.at("keys.las")).crs, said)
+
     def test_one_pass_where_the_header_is_right(self):
         from adaptivehilbertdelaunay.tiles import _points
 
