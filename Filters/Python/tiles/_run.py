@@ -7,6 +7,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import platform
 import shutil
 import time
 from typing import Any, Callable, Dict, List, Optional, Sequence, cast
@@ -123,11 +124,12 @@ class Run:
                 raise BadOptions("%s: there is no such folder" % path)
 
     def _settings(self) -> Dict[str, Any]:
-        """For the manifest."""
+        """For the manifest. What leaves and nodes made is of one version of the library and one kind of processor."""
         chains, sha = self.points.chains, hashlib.sha256()
         for one in (chains.points, chains.offsets, np.array([chains.lines])):
             sha.update(one.tobytes())
-        return {**self.options.settings(), "chains": sha.hexdigest()}
+        of = {"version": _interface.__version__, "processor": platform.machine()}
+        return {**self.options.settings(), **of, "chains": sha.hexdigest()}
 
     def _extent(self, bounds: Any) -> Optional[Sequence[float]]:
         """The centres of the cells, over points with these bounds."""
