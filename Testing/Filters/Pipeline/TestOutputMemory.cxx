@@ -6,6 +6,7 @@
 #include "FilterTestSupport.h"
 #include "Pipeline/vtkAHDOutputMemory.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -275,4 +276,61 @@ TEST(WorkingMemory, NoMoreIsKeptThanTheLimit)
   const auto held = static_cast<vtkTypeInt64>((bytes + 1023) / 1024);
   EXPECT_EQ(bytesWith(held), bytes);
   EXPECT_EQ(bytesWith(held - 1), 0u);
+}
+
+/// What an observer has written to is not lent, and its memory is for the next execution.
+TEST(WorkingMemory, IsKeptWhereNothingIsLent)
+{
+  for (const bool writes : { false, true })
+  {
+    SCOPED_TRACE(writes);
+    auto cloud = makeCloud(latticePoints(5000, 1000000));
+    const Work work(1);
+    vtkNew<vtkCallbackCommand> observer;
+    observer->SetClientData(writes ? cloud.Get() : nullptr);
+    observer->SetCallback(
+      [](vtkObject*, unsigned long, void* data, void*)
+      {
+        if (data)
+        {
+          static_cast<vtkPolyData*>(data)->GetPoints()->GetData()->SetComponent(7, 2, 1.0);
+        }
+      });
+    work.Filter->AddObserver(vtkCommand::ProgressEvent, observer);
+    vtkAHDSettings settings;
+    settings.ReuseLimit = VTK_INT_MAX;
+    vtkAHDInput input(settings, cloud, nullptr);
+    ahd::Workspace workspace;
+    vtkNew<vtkPolyData> surface, order, diagram;
+    vtkAHDExecution::LentPointer lent;
+    const auto report = vtkAHDExecution(settings, input, workspace, work.Context, 0)
+                          .Run({ surface, order, diagram }, &lent);
+    EXPECT_EQ(report.status, ahd::Status::Ok);
+    EXPECT_EQ(lent != nullptr, !writes);
+    EXPECT_EQ(workspace.bytes() > 0, writes);
+  }
+}
+
+/// Points, offsets and corners of a Voronoi diagram lie where those of the last one did.
+TEST(OutputMemory, OfTheDiagramIsTakenAgain)
+{
+  auto cloud = makeCloud(latticePoints(30000, 1000000));
+  const Work work(1);
+  vtkAHDSettings settings;
+  settings.ReuseLimit = VTK_INT_MAX;
+  settings.voronoi = true;
+  ahd::Workspace workspace;
+  const auto run = [&]
+  {
+    vtkAHDInput input(settings, cloud, nullptr);
+    vtkNew<vtkPolyData> surface, order, diagram;
+    vtkAHDExecution(settings, input, workspace, work.Context, 0).Run({ surface, order, diagram });
+    EXPECT_EQ(diagram->GetNumberOfPolys(), 30000);
+    vtkCellArray* const cells = diagram->GetPolys();
+    return std::vector<const void*>{ diagram->GetPoints()->GetVoidPointer(0),
+      cells->GetOffsetsArray()->GetVoidPointer(0),
+      cells->GetConnectivityArray()->GetVoidPointer(0) };
+  };
+  const std::vector<const void*> first = run();
+  EXPECT_EQ(run(), first);
 }
