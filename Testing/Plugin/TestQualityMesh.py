@@ -94,6 +94,27 @@ def test_what_is_shown_is_what_is_used():
         check_equal(getattr(made, name), kept, name)
 
 
+def test_a_state():
+    """All settings, those of the triangulation too, and a filter behind the second output."""
+    ResetSession()
+    given = dict(others("quality", OWN), MaximumArea=0.5, SizeArrayName="Height", Tolerance=0.001, CrossingMode="Split")
+    points = [(x, y, 1.0) for x, y, _ in ring(2.0)]  # heights that are sizes
+    made = AdaptiveHilbertQualityMesh2D(registrationName="mesh", Input=reader("state.vtp", points), **given)
+    behind = Threshold(registrationName="behind", Input=OutputPort(made, 1), Scalars=["CELLS", "IsBoundary"])
+    behind.LowerThreshold = behind.UpperThreshold = 1
+    behind.UpdatePipeline()
+    cells = behind.GetDataInformation().GetNumberOfCells()
+    check(cells >= 8, "%d edges" % cells)
+    SaveState(scratch("mesh.pvsm"))
+    ResetSession()
+    LoadState(scratch("mesh.pvsm"))
+    for name, value in given.items():
+        check_equal(getattr(FindSource("mesh"), name), value, name)
+    behind = FindSource("behind")
+    behind.UpdatePipeline()
+    check_equal(behind.GetDataInformation().GetNumberOfCells(), cells, "edges of the state")
+
+
 def test_a_limit_on_points():
     made = plate(MinimumAngle=30, MaximumArea=0.01, MaximumNumberOfAddedPoints=10)
     reasons = numbers(data_of(made, 0).GetCellData(), "BadReason")
