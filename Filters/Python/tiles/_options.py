@@ -130,7 +130,10 @@ class Options:
 
     def settings(self) -> Dict[str, Any]:
         """Those that the results depend on, for the manifest."""
-        raster = None if self.raster is None else {name: repr(value) for name, value in vars(self.raster).items()}
+        raster = None
+        if self.raster is not None:
+            raster = {name: repr(value) for name, value in vars(self.raster).items()}
+            raster["path"] = os.path.abspath(self.raster.path)
         return {"raster": raster, "tin": self.tin and os.path.abspath(self.tin), "classes": list(self.classes),
                 "longest_edge": self.longest_edge, "duplicates": self.duplicates, "leaf": self.leaf,
                 "piece": self.piece}  # fmt: skip

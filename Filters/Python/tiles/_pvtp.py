@@ -13,6 +13,8 @@ import numpy as np
 from ._store import written
 
 IDS = "GlobalPointIds"
+RUN = "run"  #: in the folder of pieces until the TIN is whole: of which run they are
+NAMES = r"\d+\.vtp|" + RUN  #: of files in that folder
 _BLOCK = 1 << 20  # bytes that are compressed together
 _TYPES = {"f8": "Float64", "i8": "Int64", "i4": "Int32", "u2": "UInt16", "u1": "UInt8"}
 

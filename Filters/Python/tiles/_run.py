@@ -4,6 +4,7 @@ before ended, and the results are the same."""
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import json
 import os
@@ -24,16 +25,13 @@ from ._leaves import Leaves
 from ._lines import chains_of
 from ._options import DUPLICATES, Options, Result, check_degrees
 from ._points import Counted, Points, count, scatter
-from ._store import PART, Store, failing, sync, written
+from ._store import COUNTED, FINISHED, PART, STARTED, Store, failing, has_only, sync, written
 from ._visits import Visits
 from ._work import Workers
 
 #: Is told the step ("count", "scatter", "visit", "finish", "write"), how much of it is done, 0 to 1, and the seconds
 #: that are left of all, None while they are not known.
 Progress = Callable[[str, float, Optional[float]], Any]
-
-
-COUNTED = "counted"  #: what the first step found: a line of JSON, then the plan of leaves
 
 
 class _Told:
@@ -82,6 +80,11 @@ class Run:
         self.threads = self.points.threads = min(threads, 256)
 
     def run(self) -> Result:
+        self._check_places()
+        with self.store.held():
+            return self._run()
+
+    def _run(self) -> Result:
         options, points = self.options, self.points
         points.look(options.skip_bad, options.raster is not None and options.raster.crs is not None)
         self._check_some()
@@ -113,15 +116,35 @@ class Run:
             path, said = next(iter(self.points.skipped.items()))
             raise BadFile(path, "no file is left: " + said)
 
+    def _check_places(self) -> None:
+        """BadOptions for outputs that cannot be there, or that would replace what is no output of this kind."""
+        options, pieces = self.options, [self.folder, self.folder + PART] if self.folder else []
+        for path in options.outputs:
+            folder = os.path.dirname(os.path.abspath(path))
+            if not os.path.isdir(folder):
+                raise BadOptions("%s: there is no such folder" % path)
+            if os.path.isdir(path):
+                raise BadOptions("%s is a folder" % path)
+            if not os.access(folder, os.W_OK):
+                raise BadOptions("%s: nothing can be written in this folder" % path)
+        taken = [os.path.realpath(path) for path in [*options.outputs, *pieces[:1], self.store.folder]]
+        if len(set(taken)) < len(taken):
+            raise BadOptions("outputs, the folder of a TIN's pieces (its name without .pvtp) and the work folder must "
+                             "differ: %s" % ", ".join(taken))  # fmt: skip
+        for path in self.files:
+            if any((os.path.realpath(path) + os.sep).startswith(one + os.sep) for one in taken):
+                raise BadOptions("%s would be replaced by the results: name these otherwise" % path)
+        for path in pieces:
+            if not has_only(path, _pvtp.NAMES):
+                raise BadOptions("%s, where the pieces of a TIN come, is there and has other files: name the TIN "
+                                 "otherwise" % path)  # fmt: skip
+
     def _check_outputs(self) -> None:
         options = self.options
         there = [path for path in [*options.outputs, *([self.folder] if self.folder else [])] if os.path.exists(path)]
-        isBegun = options.resume and self.store.has("manifest.json")
+        isBegun = options.resume and self.store.has(STARTED)
         if there and not (options.overwrite or isBegun or options.plan_only):
             raise BadOptions("%s is there already: --overwrite replaces it" % there[0])
-        for path in options.outputs:
-            if not os.path.isdir(os.path.dirname(os.path.abspath(path))):
-                raise BadOptions("%s: there is no such folder" % path)
 
     def _settings(self) -> Dict[str, Any]:
         """For the manifest. What leaves and nodes made is of one version of the library and one kind of processor."""
@@ -203,6 +226,9 @@ class Run:
         groups = self._finish(workers, finish)
         self._write(finish, groups)
         self.store.end()
+        if self.folder is not None:
+            with contextlib.suppress(OSError):
+                os.remove(os.path.join(self.folder, _pvtp.RUN))
 
     def _has_lines(self) -> bool:
         return len(self.points.chains.points) > 0
@@ -214,11 +240,16 @@ class Run:
 
     def _finish(self, workers: Workers, finish: Finish) -> List[range]:
         groups = groups_of(self.plan, self.options.piece if self.folder else 0)
-        if self.store.has("finished.json"):  # pieces may have been renamed
+        pieces = finish.wanted.pieces
+        isHere = pieces is None or self._is_own(pieces)
+        if self.store.has(FINISHED) and (isHere or self._is_own(cast(str, self.folder))):
             return groups
-        if finish.wanted.pieces is not None:
-            with failing(finish.wanted.pieces):
-                os.makedirs(finish.wanted.pieces, exist_ok=True)
+        if pieces is not None and not isHere:  # nothing, or what another run left
+            with failing(pieces):
+                shutil.rmtree(pieces, ignore_errors=True)
+                os.makedirs(pieces)
+            with written(os.path.join(pieces, _pvtp.RUN)) as file:
+                file.write(self.store.key.encode())
         left = [group for group in groups if not finish.is_done(group)]
         self.tell.begin("finish", len(groups), len(groups) - len(left))
 
@@ -227,8 +258,14 @@ class Run:
             return []
 
         workers.run(left, finish.work, ended)
-        self.store.save("finished.json", len(groups))
+        self.store.save(FINISHED, len(groups))
         return groups
+
+    def _is_own(self, pieces: str) -> bool:
+        """Are the pieces in this folder of this run?"""
+        with contextlib.suppress(OSError), open(os.path.join(pieces, _pvtp.RUN), "rb") as file:
+            return file.read() == self.store.key.encode()
+        return False
 
     def _write(self, finish: Finish, groups: Sequence[range]) -> None:
         raster, wanted = self.options.raster, finish.wanted

@@ -3,7 +3,8 @@
 
 A file is written under another name, closed, on the disk, and renamed. What is there is done, what ends in ".part" is
 not. A power cut may take renames back, which costs their work; so before a file is removed because of another, the
-folder of that is synced. `manifest.json` says of which files and settings the work folder is.
+folder of that is synced. `manifest.json` says of which files and settings the work folder is. Nothing is made or
+removed in a folder that has anything else than these files.
 """
 
 from __future__ import annotations
@@ -12,7 +13,9 @@ import contextlib
 import hashlib
 import json
 import os
+import re
 import shutil
+import sys
 from typing import Any, Dict, IO, Iterator, Sequence
 
 import numpy as np
@@ -20,8 +23,13 @@ import numpy as np
 from ._errors import BadOptions, WriteFailed
 
 PART = ".part"
+MANIFEST = "manifest.json"
+COUNTED = "counted"  #: what the first step found: a line of JSON, then the plan of leaves
 STARTED = "scatter.json"  #: of a run that has done more than count
+FINISHED = "finished.json"  #: of one whose results need only be put together
 ENDED = "ended"  #: of one whose results are there
+LOCK = "lock"  #: of one that is at work
+FOLDERS = ("leaf", "border", "own", "share", "cells")
 
 
 def sync(path: str) -> None:
@@ -63,16 +71,42 @@ class Store:
 
     def __init__(self, folder: str) -> None:
         self.folder = os.path.abspath(folder)
+        self.key = ""  # of inputs and settings
 
     def path(self, *names: str) -> str:
         return os.path.join(self.folder, *names)
 
+    @contextlib.contextmanager
+    def held(self) -> Iterator[None]:
+        """Makes the folder, where no other run is at work meanwhile. The system lets go of it when the process ends,
+        however that is. BadOptions, WriteFailed."""
+        names = MANIFEST, COUNTED, STARTED, FINISHED, ENDED, LOCK, *FOLDERS
+        if not has_only(self.folder, "|".join(map(re.escape, names))):
+            raise BadOptions("%s is no folder of a run, and is not empty: name another with --work" % self.folder)
+        with failing(self.folder):
+            os.makedirs(self.folder, exist_ok=True)
+            file = open(self.path(LOCK), "ab")
+        with file:
+            try:
+                _lock(file)
+            except (BlockingIOError, PermissionError):
+                raise BadOptions("%s: another run is at work there" % self.folder) from None
+            except OSError:  # a disk without locks
+                pass
+            try:
+                yield
+            finally:
+                file.close()  # Windows removes no open file
+                self.remove(LOCK)
+                with contextlib.suppress(OSError):
+                    os.rmdir(self.folder)
+
     def begin(self, inputs: Sequence[str], settings: Dict[str, Any], resume: bool) -> None:
-        """Makes the folder, or goes on with it if it is of these inputs and settings. BadOptions, WriteFailed."""
-        stats = [(os.path.abspath(path), os.stat(path).st_size, os.stat(path).st_mtime_ns) for path in inputs]
-        key = hash_of([stats, settings])
-        if self.has("manifest.json"):
-            isSame = self.load("manifest.json")["key"] == key
+        """Begins, or goes on if the work is of these inputs and settings. BadOptions, WriteFailed."""
+        stats = [(os.path.abspath(path), *_state(path)) for path in inputs]
+        self.key = hash_of([stats, settings])
+        if self.has(MANIFEST):
+            isSame = self.load(MANIFEST)["key"] == self.key
             if isSame and (resume or not self.has(STARTED)):
                 return
             if isSame:
@@ -82,12 +116,10 @@ class Store:
                 raise BadOptions("%s has the work of a run of other files (names, sizes, times) or settings: remove "
                                  "it, or name another folder with --work" % self.folder)  # fmt: skip
             self.end()  # another plan, no more
-        if os.path.isdir(self.folder) and os.listdir(self.folder):
-            raise BadOptions("%s is no folder of a run, and is not empty: name another with --work" % self.folder)
         with failing(self.folder):
-            for name in ("", "leaf", "border", "own", "share", "cells"):
+            for name in FOLDERS:
                 os.makedirs(self.path(name), exist_ok=True)
-        self.save("manifest.json", {"key": key, "settings": settings, "inputs": [path for path, _, _ in stats]})
+        self.save(MANIFEST, {"key": self.key, "settings": settings, "inputs": [one[0] for one in stats]})
 
     def has(self, *names: str) -> bool:
         return os.path.exists(self.path(*names))
@@ -126,11 +158,36 @@ class Store:
         for name in os.listdir(self.folder):
             if os.path.isdir(self.path(name)):
                 shutil.rmtree(self.path(name), ignore_errors=True)
-            elif name != ENDED:
+            elif name not in (ENDED, LOCK):
                 self.remove(name)
         self.remove(ENDED)
-        with contextlib.suppress(OSError):
-            os.rmdir(self.folder)
+
+
+def has_only(folder: str, names: str) -> bool:
+    """Is nothing in the folder, if it is there, but files and folders of these names, a pattern, whole or not?"""
+    if not os.path.isdir(folder):
+        return not os.path.lexists(folder)
+    return all(re.fullmatch("(%s)(%s)?" % (names, re.escape(PART)), name) for name in os.listdir(folder))
+
+
+def _state(path: str) -> Sequence[int]:
+    """What shows that a file has changed. One that is not there is left out, or said, elsewhere."""
+    with contextlib.suppress(OSError):
+        found = os.stat(path)
+        return found.st_size, found.st_mtime_ns
+    return ()
+
+
+def _lock(file: IO[bytes]) -> None:
+    """OSError: BlockingIOError or, on Windows, PermissionError if somebody else has it."""
+    if sys.platform == "win32":
+        import msvcrt
+
+        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+    else:
+        import fcntl
+
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
 
 @contextlib.contextmanager

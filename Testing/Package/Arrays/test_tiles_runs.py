@@ -4,6 +4,7 @@ told, with exit codes, and nothing is left half written."""
 
 import io
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -54,15 +55,21 @@ class ResumeTest(TilesTest):
     def words(self, *more):
         return [self.path, "--tin", self.at("a.pvtp"), "--leaf", "100", *more]
 
+    def removed(self):
+        shutil.rmtree(self.at("a"))
+        os.remove(self.at("a.pvtp"))
+
     @unittest.skipUnless(hasattr(os, "fork"), "no fork()")
     def test_killed_at_every_commit(self):
         self.assertEqual(self.command(*self.words())[0], 0)
         want = bytes_of(self.at("a.pvtp"))
         with unittest.mock.patch.object(_points, "COMMIT", 100), unittest.mock.patch.object(_read, "ROWS", 100):
-            for step, isBefore in ((2, False), (3, True), (4, False), (7, True)):  # files: two of some tasks
-                words, commits = self.words("--overwrite", "--threads", "2"), 0
+            for step, isBefore in ((1, True), (2, False), (4, False), (7, True)):
+                self.removed()
+                words, commits = self.words("--threads", "2"), 0
                 while killed_at(step, words, isBefore):
                     words, commits = self.words("--resume"), commits + 1
+                    step = max(3, step) if isBefore else step  # some tasks have two files
                     self.assertLess(commits, 200)
                 self.assertGreater(commits, 1)
                 self.assertEqual(bytes_of(self.at("a.pvtp")), want)
@@ -95,9 +102,10 @@ class ResumeTest(TilesTest):
         """Parts of files that no commit knows of are cut away."""
         self.assertEqual(self.command(*self.words())[0], 0)
         want, add = bytes_of(self.at("a.pvtp")), _points._commit
+        self.removed()
         with unittest.mock.patch.object(_points, "COMMIT", 100), unittest.mock.patch.object(_read, "ROWS", 50):
             with unittest.mock.patch.object(_points, "_commit", side_effect=[None, None, KeyboardInterrupt]):
-                code, said = self.command(*self.words("--overwrite"))
+                code, said = self.command(*self.words())
             self.assertEqual((code, "--resume" in said), (130, True))
             calls = []
 
@@ -130,6 +138,48 @@ class ResumeTest(TilesTest):
         self.assertEqual((code, "other files" in said), (2, True))
         os.utime(self.path, ns=(0, 0))
         self.assertEqual(self.command(*self.words("--resume"))[0], 2)
+
+    def test_pieces_of_another_run_are_not_taken(self):
+        """What is left of one whose work folder was removed, or is another."""
+        more = ["--piece", "100"]
+        with unittest.mock.patch.object(tiles._run.Run, "_write", side_effect=KeyboardInterrupt):
+            self.assertEqual(self.command(*self.words(*more))[0], 130)
+        self.assertGreater(len(os.listdir(self.at("a.part"))), 3)
+        moved = POINTS[:, [1, 0, 2]]
+        path = self.saved(moved, "moved.npy")
+        words = [path, *self.words("--work", self.at("other"), *more)[1:]]
+        self.assertEqual(self.command(*words)[0], 0)
+        self.assert_is_one_piece(moved, self.at("a.pvtp"))
+        self.assertEqual(self.command(*self.words("--resume", *more))[0], 0)  # whose pieces are gone
+        self.assert_is_one_piece(POINTS, self.at("a.pvtp"))
+        self.assertNotIn("run", os.listdir(self.at("a")))
+
+    def test_one_run_at_a_time(self):
+        with _store.Store(self.at("a.pvtp.work")).held():
+            code, said = self.command(*self.words())
+        self.assertEqual((code, "another run is at work" in said), (2, True), said)
+        self.assertEqual(os.listdir(self.folder), ["points.npy"])
+        self.assertEqual(self.command(*self.words())[0], 0)
+
+    def test_a_plan_does_not_allow_to_replace(self):
+        with open(self.at("a.pvtp"), "wb") as file:
+            file.write(b"before")
+        self.assertEqual(self.command(*self.words("--plan"))[0], 0)
+        code, said = self.command(*self.words("--resume"))
+        self.assertEqual((code, "is there already" in said), (2, True))
+        self.assertEqual(bytes_of(self.at("a.pvtp")), b"before")
+
+    @needs_raster
+    def test_the_place_of_a_raster_is_a_setting(self):
+        words = [self.path, "--raster", "a.tif", "--cell", "1", "--work", self.at("work")]
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder)
+        with unittest.mock.patch.object(tiles._run.Run, "_visit", side_effect=KeyboardInterrupt):
+            self.assertEqual(self.command(*words)[0], 130)
+        os.mkdir("sub")
+        os.chdir("sub")
+        code, said = self.command(*words, "--resume")
+        self.assertEqual((code, "other files" in said), (2, True))
 
     def test_a_plan_counts_and_stops(self):
         code, said = self.command(*self.words("--plan"))
@@ -189,6 +239,41 @@ class ErrorTest(TilesTest):
                 tiles.make([path], tin=self.at("a.pvtp"), leaf=100, work=self.at(str(len(points))),
                            show=lambda plan, now=points: np.save(path, now))  # fmt: skip
             np.save(path, POINTS)
+
+    def test_nothing_of_others_is_replaced(self):
+        """Neither files of points, nor what lies where pieces come, nor in a work folder."""
+        os.makedirs(self.at("survey", "sub"))
+        good, inside = self.saved(POINTS), self.saved(POINTS, os.path.join("survey", "0.npy"))
+        for name in ("ended", "manifest.json", "notes.txt"):
+            with open(self.at("survey", name), "w", encoding="ascii") as file:
+                file.write('{"key": "mine"}')
+        os.makedirs(self.at("vtk"))
+        os.rename(self.saved(POINTS, "0.vtp.npy"), self.at("vtk", "0.vtp"))
+        with open(self.at("file"), "wb"):
+            pass
+        for words, said in (
+            ((self.at("survey"), "--tin", self.at("survey.pvtp")), inside + " would be replaced"),
+            ((good, "--tin", self.at("survey.pvtp")), "has other files"),
+            ((self.at("vtk", "0.vtp"), "--tin", self.at("vtk.pvtp")), "would be replaced"),
+            ((good, "--tin", self.at("file.pvtp")), "has other files"),
+            ((*self.tin(good), "--work", self.at("survey")), "is no folder of a run"),
+            ((*self.tin(good), "--work", self.at("file")), "is no folder of a run"),
+            ((*self.tin(good), "--work", self.at("a")), "must differ")):  # fmt: skip
+            self.fails(2, said, *words, "--overwrite")
+        self.assertEqual(sorted(os.listdir(self.at("survey"))), ["0.npy", "ended", "manifest.json", "notes.txt", "sub"])
+        self.assertTrue(os.path.exists(self.at("vtk", "0.vtp")))
+
+    @needs_raster
+    def test_nothing_of_others_is_replaced_by_a_raster(self):
+        good = self.saved(POINTS)
+        before = bytes_of(good)
+        os.makedirs(self.at("folder.tif"))
+        for words, said in (((good, "--raster", good), "would be replaced"),
+                            ((good, "--raster", self.at("folder.tif")), "is a folder"),
+                            ((*self.tin(good), "--raster", self.at("a")), "must differ"),
+                            ((*self.tin(good), "--raster", self.at("a.pvtp")), "must differ")):  # fmt: skip
+            self.fails(2, said, *words, "--cell", "1", "--overwrite")
+        self.assertEqual(bytes_of(good), before)
 
     def test_bad_files_are_left_out_on_request(self):
         good, bad = self.saved(POINTS), self.at("bad.xyz")
