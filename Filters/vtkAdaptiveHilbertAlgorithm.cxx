@@ -36,6 +36,21 @@ void vtkAdaptiveHilbertAlgorithm::SetMaximumError(double value)
   vtkAHDSetClamped(this, this->MaximumError, value, 0.0, VTK_DOUBLE_MAX);
 }
 
+void vtkAdaptiveHilbertAlgorithm::SetValueArrayName(const std::string& name)
+{
+  vtkAHDSetAny(this, this->ValueArrayName, name);
+}
+
+void vtkAdaptiveHilbertAlgorithm::SetWeightArrayName(const std::string& name)
+{
+  vtkAHDSetAny(this, this->WeightArrayName, name);
+}
+
+void vtkAdaptiveHilbertAlgorithm::SetKeepArrayName(const std::string& name)
+{
+  vtkAHDSetAny(this, this->KeepArrayName, name);
+}
+
 void vtkAdaptiveHilbertAlgorithm::SetTolerance(double value)
 {
   vtkAHDSetClamped(this, this->Tolerance, value, 0.0, 1.0);
@@ -169,6 +184,7 @@ void vtkAdaptiveHilbertAlgorithm::GetJobSettings(ahd::JobSettings& settings) con
   settings.set(ahd::DoubleSetting::Tolerance, this->Tolerance);
   settings.set(ahd::IntSetting::Duplicates, this->DuplicatePolicy);
   settings.set(ahd::IntSetting::WantPointStatus, this->GeneratePointStatus);
+  settings.set(ahd::IntSetting::WantErrors, this->GenerateErrors);
   settings.set(ahd::IntSetting::WantConstraintEdges, this->GenerateConstraintEdges);
   settings.set(ahd::IntSetting::WantRegions, this->GenerateRegionIds);
   settings.set(ahd::IntSetting::WantNeighbors, this->GenerateNeighbors);
@@ -206,9 +222,11 @@ void vtkAdaptiveHilbertAlgorithm::GetSettingsOfRanks(vtkAHDSettingsOfRanks& sett
     { "MaximumError", double(this->MaximumError) },
     { "MaximumNumberOfVertices", double(this->MaximumNumberOfVertices) },
     { "SecondPass", double(this->SecondPass) },
+    { "KeptPointsOnly", double(this->KeptPointsOnly) },
     { "Tolerance", double(this->Tolerance) },
     { "DuplicatePolicy", double(this->DuplicatePolicy) },
     { "GeneratePointStatus", double(this->GeneratePointStatus) },
+    { "GenerateErrors", double(this->GenerateErrors) },
     { "GenerateConstraintEdges", double(this->GenerateConstraintEdges) },
     { "GenerateRegionIds", double(this->GenerateRegionIds) },
     { "GenerateNeighbors", double(this->GenerateNeighbors) },
@@ -233,6 +251,7 @@ void vtkAdaptiveHilbertAlgorithm::GetSettingsOfRanks(vtkAHDSettingsOfRanks& sett
     { this->MaximumError > 0, "MaximumError" },
     { this->MaximumNumberOfVertices > 0, "MaximumNumberOfVertices" },
     { this->Tolerance > 0, "Tolerance" },
+    { this->GenerateErrors, "GenerateErrors" },
     { this->GenerateRegionIds, "GenerateRegionIds" },
     { this->GenerateNeighbors, "GenerateNeighbors" },
     { this->GenerateVoronoi, "GenerateVoronoi" },
@@ -310,11 +329,16 @@ void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumError: " << this->MaximumError << "\n";
   os << indent << "MaximumNumberOfVertices: " << this->MaximumNumberOfVertices << "\n";
   os << indent << "SecondPass: " << (this->SecondPass ? "On\n" : "Off\n");
+  os << indent << "KeptPointsOnly: " << (this->KeptPointsOnly ? "On\n" : "Off\n");
+  os << indent << "ValueArrayName: " << this->ValueArrayName << "\n";
+  os << indent << "WeightArrayName: " << this->WeightArrayName << "\n";
+  os << indent << "KeepArrayName: " << this->KeepArrayName << "\n";
   os << indent << "ProjectionPlaneMode: " << this->ProjectionPlaneMode << "\n";
   os << indent << "Rim: " << this->Rim << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "DuplicatePolicy: " << this->DuplicatePolicy << "\n";
   os << indent << "GeneratePointStatus: " << (this->GeneratePointStatus ? "On\n" : "Off\n");
+  os << indent << "GenerateErrors: " << (this->GenerateErrors ? "On\n" : "Off\n");
   os << indent << "GenerateConstraintEdges: " << (this->GenerateConstraintEdges ? "On\n" : "Off\n");
   os << indent << "GenerateRegionIds: " << (this->GenerateRegionIds ? "On\n" : "Off\n");
   os << indent << "GenerateNeighbors: " << (this->GenerateNeighbors ? "On\n" : "Off\n");

@@ -354,6 +354,39 @@ public:
   ///@}
 
   ///@{
+  /// With Maximum Error or Maximum Number Of Vertices: the surface has the points of its triangles
+  /// only, with their ids in the input as the point array OriginalPointIds. With the status of
+  /// points or errors, which are about all points, it has all. On by default.
+  vtkSetMacro(KeptPointsOnly, bool);
+  vtkGetMacro(KeptPointsOnly, bool);
+  vtkBooleanMacro(KeptPointsOnly, bool);
+  ///@}
+
+  ///@{
+  /// The point array, of one number for each point, of which Maximum Error is the error, in place
+  /// of z. Where it is NaN the point stays. Points of the source have the values of their own array
+  /// of this name. Empty or "None": z. Default "".
+  /// DuplicatePolicy still chooses by z which of several points at one place is the vertex.
+  virtual void SetValueArrayName(const std::string& name);
+  virtual std::string GetValueArrayName() { return this->ValueArrayName; }
+  ///@}
+
+  ///@{
+  /// The point array of weights: numbers times which the errors of points count. Where one is
+  /// negative or NaN the point stays. Points that are added have the weight 1. Empty or "None": all
+  /// have. Default "".
+  virtual void SetWeightArrayName(const std::string& name);
+  virtual std::string GetWeightArrayName() { return this->WeightArrayName; }
+  ///@}
+
+  ///@{
+  /// The point array of marks: where one is not 0 the point stays. Empty or "None": no marks.
+  /// Default "".
+  virtual void SetKeepArrayName(const std::string& name);
+  virtual std::string GetKeepArrayName() { return this->KeepArrayName; }
+  ///@}
+
+  ///@{
   /// The plane in which the points are triangulated. XY plane: z is the height. Transform plane: x
   /// and y after the Transform. Best-fitting plane: the plane with the least sum of squared
   /// distances from the points, for a rock face or a scanned wall. The output has the points at
@@ -417,7 +450,8 @@ public:
   /// surface; the id of another point if it is a duplicate of it or was merged into it; -1 if it
   /// was rejected, because x or y is NaN or infinite; -2 if it was not inserted, because it is
   /// marked as a ghost or hidden, is beyond the Insertion Limit, or is a duplicate of a point
-  /// beyond it. Switch it on to find the points that are not in the surface. Off by default.
+  /// beyond it; -3 if it is within Maximum Error. Switch it on to find the points that are not in
+  /// the surface. Off by default.
   /// The array is a vtkIdTypeArray.
   vtkSetMacro(GeneratePointStatus, bool);
   vtkGetMacro(GeneratePointStatus, bool);
@@ -427,6 +461,18 @@ public:
   bool GetGenerateFate() { return this->GetGeneratePointStatus(); }
   void GenerateFateOn() { this->SetGeneratePointStatus(true); }
   void GenerateFateOff() { this->SetGeneratePointStatus(false); }
+  ///@}
+
+  ///@{
+  /// Add a point array, Error: how far the surface is from each point, vertically, or in a fitted
+  /// plane along its normal. 0 for vertices; NaN where there is no surface, and for points that
+  /// were rejected or skipped. With Value Array Name it is the difference of these values. Off by
+  /// default.
+  /// A vtkDoubleArray. Weights do not change it. The largest of all points that MaximumError left
+  /// out is LargestError, if there are no weights.
+  vtkSetMacro(GenerateErrors, bool);
+  vtkGetMacro(GenerateErrors, bool);
+  vtkBooleanMacro(GenerateErrors, bool);
   ///@}
 
   ///@{
@@ -905,11 +951,16 @@ protected:
   double MaximumError = 0.0;
   vtkIdType MaximumNumberOfVertices = 0;
   bool SecondPass = false;
+  bool KeptPointsOnly = true;
+  std::string ValueArrayName = "";
+  std::string WeightArrayName = "";
+  std::string KeepArrayName = "";
   int ProjectionPlaneMode = VTK_DELAUNAY_XY_PLANE;
   int Rim = AUTOMATIC;
   double Tolerance = 0.0;
   int DuplicatePolicy = FIRST;
   bool GeneratePointStatus = false;
+  bool GenerateErrors = false;
   bool GenerateConstraintEdges = false;
   bool GenerateRegionIds = false;
   bool GenerateNeighbors = false;

@@ -304,9 +304,9 @@ void vtkAdaptiveHilbertDelaunay2D::Triangulate(
   this->TakeMeasures(report);
   this->AddCounts(data.Outputs[0]->GetFieldData());
   this->Warn(settings, report);
-  if (this->KeepTriangulation)
+  if (this->KeepTriangulation && !settings.simplifies() && !settings.hasValues)
   {
-    this->Cache->Keep(data, context);
+    this->Cache->Keep(data, context); // it knows points, none of their data
   }
 }
 
@@ -338,6 +338,7 @@ void vtkAdaptiveHilbertDelaunay2D::ReadSettings(
   {
     settings.voronoiPolygon = ReadCorners(this->VoronoiPolygon);
   }
+  this->ReadNumbers(settings);
   settings.AddSourcePoints = !settings.idsAreOfInput;
   settings.sourceHeights = settings.AddSourcePoints ? ahd::SourceHeights(this->SourceHeights)
                                                     : ahd::SourceHeights::Own;
@@ -350,6 +351,23 @@ void vtkAdaptiveHilbertDelaunay2D::ReadSettings(
     !this->Transform;
   settings.MemoryLimit = this->MemoryLimit;
   settings.ReuseLimit = this->ReuseLimit;
+}
+
+/// Which arrays of the input are read, and whether the output has only points that are kept.
+void vtkAdaptiveHilbertDelaunay2D::ReadNumbers(vtkAHDSettings& settings) const
+{
+  settings.ValueArrayName = this->ValueArrayName;
+  settings.WeightArrayName = this->WeightArrayName;
+  settings.KeepArrayName = this->KeepArrayName;
+  const auto isNamed = [](const std::string& name) { return !name.empty() && name != "None"; };
+  const bool simplifies = settings.simplifies();
+  const bool areAllShown = settings.samples || settings.wants(ahd::WantedArray::PointStatus) ||
+    settings.wants(ahd::WantedArray::Errors);
+  settings.hasValues = isNamed(this->ValueArrayName) &&
+    (simplifies || settings.wants(ahd::WantedArray::Errors));
+  settings.hasWeights = isNamed(this->WeightArrayName) && simplifies;
+  settings.hasMarks = isNamed(this->KeepArrayName) && simplifies;
+  settings.CopiesKept = this->KeptPointsOnly && simplifies && !areAllShown;
 }
 
 int vtkAdaptiveHilbertDelaunay2D::FillInputPortInformation(int port, vtkInformation* info)

@@ -175,6 +175,7 @@ private:
   void EndWithoutMemory(const vtkAHDDataSets& data);
   void ReadSettings(
     vtkAHDSettings& settings, bool forSamples = false, bool onSurface = false) const;
+  void ReadNumbers(vtkAHDSettings& settings) const;
   void WarnAboutRanks();
   void Warn(const vtkAHDSettings& settings, const vtkAHDReport& report);
 

@@ -38,8 +38,10 @@ ahd::CallersMemory vtkAHDExecution::OwnMemory(std::size_t bytesBehind) const
   // The polygons of the Voronoi diagram have a copy of the point data.
   vtkPointData* const data = this->Input.GetInput()->GetPointData();
   const std::size_t copied = this->Settings.voronoi ? data->GetActualMemorySize() : 0;
+  const std::size_t perPoint = vtkAHDPointOutput::EstimateBytesPerPoint(this->Input.GetInput());
+  constexpr std::size_t kPerKept = 3 * sizeof(double) + 4 + 2 * sizeof(vtkIdType); // numbers, ids
   return { this->BytesBefore + bytesBehind + this->Input.EstimateBytes() + 1024 * copied,
-    vtkAHDPointOutput::EstimateBytesPerPoint(this->Input.GetInput()) };
+    this->Settings.CopiesKept ? 2 * perPoint + kPerKept : perPoint };
 }
 
 std::size_t vtkAHDExecution::EstimateBytes() const
@@ -167,9 +169,10 @@ bool vtkAHDExecution::Try(std::size_t bytesBehind, const Steps& steps)
 
 void vtkAHDExecution::Make(ahd::Run& run, ahd::RunResult& made)
 {
-  const auto open = [this]
+  const auto open = [this, &made]
   {
     this->Input.Open(this->Context);
+    made.numbers = this->Input.GetNumbers();
     return this->Input.GetRequest();
   };
   const auto lend = [this](const ahd::Report& counts, ahd::VoronoiCells& cells)
@@ -193,6 +196,10 @@ void vtkAHDExecution::Write(ahd::RunResult& made, const vtkAHDOutputs& outputs)
   if (this->Settings.drawsOrder())
   {
     vtkAHDOrderOutput::Write(made.triangulation, this->Settings.curve, outputs[1], this->Context);
+  }
+  if (this->Settings.CopiesKept)
+  {
+    surface.KeepPointsOfCells();
   }
   this->Context.NextStage();
   this->Context.StopIfAborted();
@@ -221,6 +228,7 @@ void vtkAHDExecution::Finish(ahd::Run& run, const ahd::RunResult& made)
   this->Context.Check(run.finish(made, this->Context));
   this->Report.Source = this->Input.GetSourceContent();
   this->Report.MarksAreUnfit = this->Input.GetMarksAreUnfit();
+  this->Report.UnfitNumbers = this->Input.GetUnfitNumbers();
   this->Report.seconds = this->Context.GetProgress().seconds();
   this->Report.threadsUsed = this->Context.GetThreadsUsed();
 }
@@ -245,7 +253,7 @@ bool vtkAHDExecution::Lend(ahd::RunResult& made, vtkPolyData* surface, LentPoint
 {
   // Places that were converted go with the input.
   const bool isFit = this->Report.triangles > 0 && !made.points.isProjected() &&
-    !this->Input.MustConvertPoints();
+    !this->Input.MustConvertPoints() && !this->Settings.CopiesKept;
   if (!isFit || static_cast<vtkTypeInt64>(this->EstimateLent() / 1024) >= this->Settings.ReuseLimit)
   {
     return false;
@@ -271,7 +279,8 @@ bool vtkAHDExecution::Lend(ahd::RunResult& made, vtkPolyData* surface, LentPoint
       return false;
     }
     made.selection = ahd::Selection{ std::move(made.selection.kept), made.selection.keptCount };
-    to.Made = std::move(made); // the surface is not shared yet
+    made.numbers = ahd::PointNumbers(); // of the input that is read now
+    to.Made = std::move(made);          // the surface is not shared yet
     lent = object;
     return true;
   }

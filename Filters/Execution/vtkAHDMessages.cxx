@@ -32,17 +32,21 @@ void vtkAHDSayError(vtkAlgorithm* filter, const vtkAHDReport& report)
 void vtkAHDSayWarnings(vtkAlgorithm* filter, const vtkAHDSettings& settings,
   const vtkAHDReport& report, bool limitIsTold)
 {
-  vtkAHDSay(filter, ahd::Topic::Triangulation,
-    ahd::factsOf(report,
-      { { "transform_is_missing", settings.TransformIsMissing },
-        { "bounding_is_missing", settings.bounding && !settings.addsBounding() },
-        { "is_projected", settings.isProjected() },
-        { "splits", settings.split || report.addedToLines > 0 },
-        { "cell_ids", !settings.idsAreOfInput },
-        { "heights_are_mixed", settings.sourceHeights == ahd::SourceHeights::Mixed },
-        { "marks_are_unfit", report.MarksAreUnfit },
-        { "may_be_emptied_by_loops", report.MayBeEmptiedByLoops },
-        { "diagram_in_plane", report.IsDiagramInPlane }, { "source_points", report.Source.Points },
-        { "source_vertices", report.Source.Vertices }, { "source_strips", report.Source.Strips },
-        { "limit_is_told", limitIsTold } }));
+  ahd::Facts facts = ahd::factsOf(report,
+    { { "transform_is_missing", settings.TransformIsMissing },
+      { "bounding_is_missing", settings.bounding && !settings.addsBounding() },
+      { "is_projected", settings.isProjected() },
+      { "splits", settings.split || report.addedToLines > 0 },
+      { "cell_ids", !settings.idsAreOfInput },
+      { "heights_are_mixed", settings.sourceHeights == ahd::SourceHeights::Mixed },
+      { "marks_are_unfit", report.MarksAreUnfit },
+      { "may_be_emptied_by_loops", report.MayBeEmptiedByLoops },
+      { "diagram_in_plane", report.IsDiagramInPlane }, { "source_points", report.Source.Points },
+      { "source_vertices", report.Source.Vertices }, { "source_strips", report.Source.Strips },
+      { "limit_is_told", limitIsTold } });
+  for (const std::string& name : report.UnfitNumbers)
+  {
+    facts.add({ "unfit_numbers", name });
+  }
+  vtkAHDSay(filter, ahd::Topic::Triangulation, facts);
 }

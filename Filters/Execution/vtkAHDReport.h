@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct vtkAHDReport : ahd::RunReport
   bool MayBeEmptiedByLoops = false;
   std::vector<std::array<std::int64_t, 2>> CrossingCells; ///< of all left out, over ranks
   bool MarksAreUnfit = false;
+  std::vector<std::string> UnfitNumbers; ///< names of arrays
   vtkAHDInput::SourceContent Source;
   bool IsDiagramInPlane = false; ///< because the transform has no inverse
 
@@ -34,8 +36,8 @@ struct vtkAHDReport : ahd::RunReport
   auto fields()
   {
     return std::tuple_cat(ahd::RunReport::fields(),
-      std::tie(this->MayBeEmptiedByLoops, this->CrossingCells, this->MarksAreUnfit, this->Source,
-        this->IsDiagramInPlane));
+      std::tie(this->MayBeEmptiedByLoops, this->CrossingCells, this->MarksAreUnfit,
+        this->UnfitNumbers, this->Source, this->IsDiagramInPlane));
   }
 };
 static_assert(ahd::countFields<vtkAHDReport>() + 1 + 2 ==

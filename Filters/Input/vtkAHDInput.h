@@ -2,7 +2,7 @@
 #ifndef vtkAHDInput_h
 #define vtkAHDInput_h
 
-#include "Engine/Prepare/Prepare.h"
+#include "Engine/Job/Run.h"
 #include "Input/vtkAHDProjection.h"
 #include "Pipeline/vtkAHDCellsView.h"
 #include "Pipeline/vtkAHDPointsView.h"
@@ -13,6 +13,8 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <array>
+#include <string>
+#include <vector>
 
 /**
  * The data sets of one execution as the engine reads them: points, ghost marks and cells, in
@@ -63,16 +65,27 @@ public:
   /// memory since.
   bool AreInPlace(const ahd::PointView& points) const;
 
-  /// Bytes that Open() takes.
-  std::size_t EstimateBytes() const
+  /// Do the settings name arrays of numbers, which it reads beside places and marks?
+  bool NamesNumbers() const
   {
-    return this->InputPoints.EstimateBytes() + this->SourcePoints.EstimateBytes() +
-      this->Lines.EstimateBytes() + this->Polygons.EstimateBytes();
+    return this->Values || this->Weights || this->Keep || !this->UnfitNumbers.empty();
   }
+
+  /// The names of arrays in the settings that are not there with one number for each point.
+  const std::vector<std::string>& GetUnfitNumbers() const { return this->UnfitNumbers; }
+
+  /// Copies of the values, weights and marks of points that the settings name; those of the points
+  /// of the source behind. @pre Open()
+  const ahd::PointNumbers& GetNumbers() const { return this->Numbers; }
+
+  /// Bytes that Open() takes.
+  std::size_t EstimateBytes() const;
 
 private:
   void ReadMarks();
   void ReadCells(vtkPolyData* source);
+  vtkSmartPointer<vtkDataArray> FindNumbers(bool areNamed, const std::string& name);
+  void OpenNumbers(const vtkAHDContext& context);
 
   const vtkSmartPointer<vtkPointSet> Input;
   const vtkSmartPointer<vtkPolyData> Source;
@@ -85,6 +98,12 @@ private:
   ahd::InputRequest Request;
   SourceContent Found;
   bool MarksAreUnfit = false;
+  vtkSmartPointer<vtkDataArray> Values, Weights, Keep; // null: none
+  vtkSmartPointer<vtkDataArray> SourceValues;
+  std::vector<std::string> UnfitNumbers;
+  std::vector<double> ValueCopies, WeightCopies;
+  std::vector<unsigned char> KeepCopies;
+  ahd::PointNumbers Numbers;
 };
 
 #endif

@@ -11,8 +11,11 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTypeInt32Array.h"
 
@@ -20,6 +23,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -136,6 +140,96 @@ void vtkAHDSurface::AddArrays(ahd::RunResult& made) const
       vtkAHDReplaceArray(
         this->Output->GetAttributes(isOfCells ? vtkDataObject::CELL : vtkDataObject::POINT), array);
     });
+}
+
+namespace
+{
+/// The corners of all cells, which are this execution's own.
+std::vector<IdArray*> CornersOf(vtkPolyData* output)
+{
+  std::vector<IdArray*> corners;
+  for (vtkCellArray* cells : { output->GetVerts(), output->GetLines(), output->GetPolys() })
+  {
+    if (cells->GetNumberOfCells() > 0)
+    {
+      corners.push_back(IdArray::SafeDownCast(cells->GetConnectivityArray()));
+    }
+  }
+  return corners;
+}
+
+/// These points, with their data.
+void TakePoints(vtkPolyData* output, vtkIdList* ids)
+{
+  vtkDataArray* const all = output->GetPoints()->GetData();
+  const auto places = vtkSmartPointer<vtkDataArray>::Take(all->NewInstance());
+  places->SetNumberOfComponents(3);
+  places->SetNumberOfTuples(ids->GetNumberOfIds());
+  all->GetTuples(ids, places);
+  vtkNew<vtkPoints> points;
+  points->SetData(places);
+  output->SetPoints(points);
+  vtkNew<vtkPointData> given;
+  given->ShallowCopy(output->GetPointData());
+  vtkAHDRemoveArraysOfOneName(given);
+  for (int i = given->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (given->GetAbstractArray(i)->GetNumberOfTuples() < all->GetNumberOfTuples())
+    {
+      given->RemoveArray(i);
+    }
+  }
+  vtkPointData* const data = output->GetPointData();
+  data->Initialize();
+  data->CopyAllOn(); // which of them are scalars, ids, normals ...
+  data->CopyAllocate(given, ids->GetNumberOfIds());
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    data->GetAbstractArray(i)->SetNumberOfTuples(ids->GetNumberOfIds());
+    given->GetAbstractArray(i)->GetTuples(ids, data->GetAbstractArray(i));
+  }
+}
+}
+
+void vtkAHDSurface::KeepPointsOfCells() const
+{
+  const auto count = static_cast<std::size_t>(this->Output->GetNumberOfPoints());
+  const std::vector<IdArray*> corners = CornersOf(this->Output);
+  std::vector<std::int32_t> numbers(count, corners.empty() ? 1 : 0);
+  for (IdArray* const ids : corners)
+  {
+    this->Context.StopIfAborted();
+    const std::int32_t* const all = ids->GetPointer(0);
+    std::for_each(all, all + ids->GetNumberOfValues(),
+      [&](std::int32_t id) { numbers[static_cast<std::size_t>(id)] = 1; });
+  }
+  const auto left = std::accumulate(numbers.begin(), numbers.end(), vtkIdType(0));
+  auto kept = this->Context.NewArray<vtkIdTypeArray>(left);
+  kept->SetName(vtkAHDOutputArrays::OriginalPointIds.Name);
+  vtkIdType next = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (numbers[i] != 0)
+    {
+      kept->SetValue(next, static_cast<vtkIdType>(i));
+      numbers[i] = static_cast<std::int32_t>(next++);
+    }
+  }
+  if (left < static_cast<vtkIdType>(count))
+  {
+    for (IdArray* const ids : corners)
+    {
+      std::int32_t* const all = ids->GetPointer(0);
+      std::transform(all, all + ids->GetNumberOfValues(), all,
+        [&](std::int32_t id) { return numbers[static_cast<std::size_t>(id)]; });
+    }
+    vtkNew<vtkIdList> ids;
+    ids->SetNumberOfIds(left);
+    std::copy_n(kept->GetPointer(0), left, ids->GetPointer(0));
+    this->Context.StopIfAborted();
+    TakePoints(this->Output, ids);
+  }
+  vtkAHDReplaceArray(this->Output->GetPointData(), kept);
 }
 
 void vtkAHDSurface::AddCrossings(const ahd::RunResult& made) const

@@ -52,6 +52,10 @@ public:
   static void WriteCrossings(
     const std::vector<std::array<std::int64_t, 2>>& cells, vtkPolyData* output);
 
+  /// Leaves the points of the cells alone, in their order, with their data, and adds their ids.
+  /// Without cells all points stay. @pre all else is written.
+  void KeepPointsOfCells() const;
+
 private:
   ahd::Status WriteWithNeighbors(ahd::RunResult& made, std::int32_t* corners);
 

@@ -40,8 +40,10 @@ struct vtkAHDOutputArray
 namespace vtkAHDOutputArrays
 {
 /// The status of each point: its own id if it is a vertex of the surface, the id of the vertex that
-/// stands for it, -1 (rejected) or -2 (not inserted).
+/// stands for it, -1 (rejected), -2 (not inserted) or -3 (left out within the error).
 constexpr vtkAHDOutputArray<vtkIdTypeArray> Fate = { "Fate", 1 };
+/// How far the surface is from each point; NaN where there is none.
+constexpr vtkAHDOutputArray<vtkDoubleArray> Error = { "Error", 1 };
 /// The position of each point in the order of insertion; -1: none. Also for the points of the
 /// output Insertion order.
 constexpr vtkAHDOutputArray<vtkIdTypeArray> InsertionRank = { "InsertionRank", 1 };
@@ -54,8 +56,9 @@ constexpr vtkAHDOutputArray<vtkIdTypeArray> Neighbors = { "Neighbors", 3 };
 /// The cells of the source that cross each other, at most a thousand pairs; no array if there are
 /// none.
 constexpr vtkAHDOutputArray<vtkIdTypeArray> Crossings = { "Crossings", 2 };
-/// The ids in the input of the points of the output Insertion order, of the vertices of the cells
-/// of Voronoi, and of the points of a quality mesh; -1 for those that were added.
+/// The ids in the input of the points of a simplified surface and of the output Insertion order, of
+/// the vertices of the cells of Voronoi, and of the points of a quality mesh; -1 for those that
+/// were added.
 constexpr vtkAHDOutputArray<vtkIdTypeArray> OriginalPointIds = { "OriginalPointIds", 1 };
 /// The number of divisions that made the box, for the cells of the output Insertion order.
 constexpr vtkAHDOutputArray<vtkIntArray> Level = { "Level", 1 };
@@ -81,6 +84,7 @@ template <typename Visit>
 void VisitWanted(const Visit& visit)
 {
   visit(Fate, ahd::WantedArray::PointStatus);
+  visit(Error, ahd::WantedArray::Errors);
   visit(InsertionRank, ahd::WantedArray::InsertionRanks);
   visit(ConstraintEdges, ahd::WantedArray::ConstraintEdges);
   visit(RegionId, ahd::WantedArray::Regions);

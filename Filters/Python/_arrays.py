@@ -33,6 +33,8 @@ def delaunay(
     loops: Any = None,
     source_points: Any = None,
     skip: Any = None,
+    weights: Any = None,
+    keep: Any = None,
     plane: Plane = "xy",
     source_heights: Literal["own", "surface", "mixed"] = "own",
     zero_is_missing: bool = False,
@@ -101,6 +103,11 @@ def delaunay(
         triangulated with the others; in the result their ids follow those of `points`.
     skip : (n,) array of bool or uint8, optional
         Points with a nonzero value are skipped.
+    weights : (n,) array of real numbers, optional
+        With `maximum_error` or `maximum_vertices`: times which the errors of `points` count. Where one is NaN, infinite
+        or negative the point stays.
+    keep : (n,) array of bool or uint8, optional
+        With the same: points with a nonzero value stay.
     plane : {'xy', 'automatic', 'best_fit'}, (4, 4) array or function, default 'xy'
         The plane of the triangulation: x and y; these, or 'best_fit' with a warning for `points` that stand like a wall
         (the Reference says which do); the plane with the least sum of squared distances (if all points have the same z,
@@ -184,9 +191,9 @@ def delaunay(
     id_dtype : numpy.int32 or numpy.int64, default numpy.int32
         The type of all ids in the result. 32 bits are always enough.
     want : sequence of str, optional
-        Results to compute in this call: 'point_status', 'constraint_edges', 'regions', 'neighbors', 'voronoi', 'order',
-        'boxes', 'insertion_ranks'. All are available later, too; 'voronoi', 'order', 'boxes' and 'insertion_ranks' then
-        triangulate once more.
+        Results to compute in this call: 'point_status', 'errors', 'constraint_edges', 'regions', 'neighbors',
+        'voronoi', 'order', 'boxes', 'insertion_ranks'. All are available later, too; 'voronoi', 'order', 'boxes' and
+        'insertion_ranks' then triangulate once more.
     progress : function of (str, float), optional
         Called with the phase ('merge', 'split', 'read', 'sort', 'insert', 'constrain', 'extract', 'outputs') and the
         fraction done, 0 to 1, about every hundredth, in this thread. To stop the work, raise an exception.

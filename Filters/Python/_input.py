@@ -156,20 +156,20 @@ def with_heights(points: Any, heights: Any) -> np.ndarray:
     return np.column_stack((places, z))
 
 
-def skip_of(given: Any, count: int) -> np.ndarray:
-    """(count,) uint8, not 0 for points to skip."""
+def marks_of(name: str, given: Any, count: int) -> np.ndarray:
+    """(count,) uint8, not 0 for marked points."""
     if has_mask(given):
-        raise TypeError("skip is a masked array, whose mask would be lost")
+        raise TypeError("%s is a masked array, whose mask would be lost" % name)
     marks = np.asarray(given)
     if marks.shape != (count,):
-        raise ValueError("skip must have one value for each of %d points, not the shape %s" % (count, marks.shape))
+        raise ValueError("%s must have one value for each of %d points, not the shape %s" % (name, count, marks.shape))
     if marks.dtype == np.bool_:
         return marks.view(np.uint8)
     if marks.dtype == np.uint8:
         return marks
     if marks.size == 0:
         return np.zeros(0, np.uint8)
-    raise TypeError("skip must be of type bool or uint8, not %s" % marks.dtype)
+    raise TypeError("%s must be of type bool or uint8, not %s" % (name, marks.dtype))
 
 
 def polygon_of(name: str, given: Any) -> np.ndarray:
@@ -304,6 +304,7 @@ def refuse_conflict(limit: Any, alpha: Any, duplicates: Any, *simplified: Any) -
         raise ValueError(text)
 
 
+_NUMBERS = ("values", "weights", "keep")
 _CONFLICT = ("insertion_limit", "alpha", "duplicates", "maximum_error", "maximum_vertices")
 
 
@@ -333,7 +334,7 @@ class Request:
         self.plane_was_chosen = False  # 'automatic' took the best-fitting one
         self._take("points", points_of("points", points), points)
         if skip is not None:
-            self._take("skip", skip_of(skip, len(self.points)), skip)
+            self._take("skip", marks_of("skip", skip, len(self.points)), skip)
         if source_points is not None:
             self._take("source_points", points_of("source_points", source_points), source_points)
             self.settings["cell_ids"] = library.IDS_OF_SOURCE
@@ -357,18 +358,15 @@ class Request:
         """A copy has memory of its own; its numbers are compared all the same."""
         return {**self.__dict__, "_shared": dict.fromkeys(self._shared), "_described": {}}
 
-    def changed(self, given: Mapping[str, Any], **arrays: np.ndarray) -> Request:
-        """The same with these keywords and arrays of its own; other points are in the plane. Nothing is copied."""
+    def changed(self, given: Mapping[str, Any], numbers: Mapping[str, np.ndarray]) -> Request:
+        """The same with these keywords and numbers of points. Nothing is copied."""
         made = object.__new__(Request)
         made.__dict__.update(self.__dict__)
         made.settings = {**self.settings, **{KEYWORDS[name].setting: _converted(name, given[name]) for name in given}}
         refuse_conflict(*map(made.settings.get, _CONFLICT))
-        made.arrays = {**self.arrays, **arrays}
-        made._shared = {name: whose for name, whose in self._shared.items() if name not in arrays}
+        made.arrays = {name: array for name, array in self.arrays.items() if name not in _NUMBERS}
+        made.arrays.update(numbers)
         made._described = {}
-        if "points" in arrays:
-            made.settings["plane"], made.projection = library.PLANE_XY, None
-            made.arrays.pop("matrix", None)
         return made
 
     def fingerprint(self) -> Fingerprint:

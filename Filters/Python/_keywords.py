@@ -74,6 +74,7 @@ MESH_KEYWORDS = {
 #: What `delaunay` can compute at once, attributes of its result.
 Wanted = Literal[
     "point_status",
+    "errors",
     "constraint_edges",
     "regions",
     "neighbors",
@@ -85,5 +86,6 @@ Wanted = Literal[
 WANTED: Tuple[str, ...] = get_args(Wanted)
 #: The types of arrays of results that are no ids.
 ARRAY_DTYPES = {
+    "errors": "float64",
     "constraint_edges": "uint8",
 }

@@ -20,10 +20,9 @@ from ._interface import (
 from ._keywords import MESH_KEYWORDS
 from ._names import value_of
 from ._sampling import METHODS, OUTSIDE
-from ._vtk.arrays import coordinates, ghost_marks, id_list, remove_arrays_of_one_name
+from ._vtk.arrays import coordinates, ghost_marks
 from ._vtk.blocks import Blocks
 from ._vtk.execution import SKIPPED, threads_to_use
-from ._vtk.outputs import IDS_NAME
 from ._vtk.table import ARRAY_KEYWORDS
 from ._warnings import tell
 
@@ -213,23 +212,15 @@ def _taken(output):
     return made
 
 
-def _of_its_triangles(made, error):
-    """Only the points of the triangles, with their ids; and the largest error, as field data."""
-    ids, corners = numpy.unique(made.faces.reshape(-1, 4)[:, 1:], return_inverse=True)
-    light = pyvista.PolyData(made.points[ids], faces=numpy.insert(corners.reshape(-1, 3), 0, 3, axis=1).ravel())
-    vtk, given, data = _vtk.Backend(_vtk.package_of(made)), made.GetPointData(), light.GetPointData()
-    remove_arrays_of_one_name(given)
-    for i in range(given.GetNumberOfArrays() - 1, -1, -1):
-        if given.GetAbstractArray(i).GetNumberOfTuples() < made.n_points:
-            given.RemoveArray(i)
-    data.CopyAllOn()
-    data.CopyAllocate(given, len(ids))
-    data.CopyData(given, id_list(vtk, ids), id_list(vtk, numpy.arange(len(ids))))
-    light.GetCellData().ShallowCopy(made.GetCellData())
-    light.GetFieldData().ShallowCopy(made.GetFieldData())
-    light.point_data.set_array(ids, IDS_NAME)
-    light.field_data.set_array([error], "LargestError")
-    return light
+def _name_numbers(algorithm, mesh, names):
+    """The arrays of numbers by which it simplifies, by the filter's settings."""
+    for setting, (argument, name) in names.items():
+        if name is not None and not isinstance(name, str):
+            raise TypeError("%s must be the name of a point array, a str, not %r" % (argument, name))
+        if name is not None and hasattr(mesh, "point_data") and name not in mesh.point_data:
+            raise ValueError("%s: the points have no array %r; there are %s" % (
+                argument, name, mesh.point_data.keys()))
+        _set(algorithm, **{setting: name or ""})
 
 
 def _into(mesh, made, inplace):
@@ -240,18 +231,21 @@ def _into(mesh, made, inplace):
 
 
 def delaunay_2d(mesh: Any, inplace: Any, edge_source: Any, progress_bar: Any, constraints: Any, plane: Any,
-                memory_limit: Any, arrays: Any, **settings: Any) -> pyvista.PolyData:
+                memory_limit: Any, values: Any, weights: Any, keep: Any, arrays: Any, **settings: Any
+                ) -> pyvista.PolyData:
     if inplace and not isinstance(mesh, pyvista.PolyData):
         raise TypeError("inplace: a pyvista.PolyData can be overwritten, not %s" % type(mesh).__name__)
     algorithm, messages = _make_filter(mesh, plane, memory_limit, settings)
     simplified = algorithm.GetMaximumError(), algorithm.GetMaximumNumberOfVertices()
     refuse_conflict(0, algorithm.GetAlpha(), algorithm.GetDuplicatePolicy(), *simplified)
     _set(algorithm, **_arrays_to_add(arrays))
+    _name_numbers(algorithm, mesh, {"ValueArrayName": ("values", values), "WeightArrayName": ("weights", weights),
+                                    "KeepArrayName": ("keep", keep)})
     _constrain(algorithm, 1, algorithm, edge_source, constraints, mesh)
     _run(algorithm, messages, progress_bar, "Computing 2D Triangulation")
     made = _taken(algorithm.GetOutput())
-    if any(simplified) and made.n_cells and not algorithm.GetGeneratePointStatus():
-        made = _of_its_triangles(made, algorithm.GetLargestError())
+    if any(simplified):
+        made.field_data.set_array([algorithm.GetLargestError()], "LargestError")
     return _into(mesh, made, inplace)
 
 

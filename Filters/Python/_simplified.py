@@ -7,9 +7,7 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, Optional, Tuple, TypeVar
 
 import numpy as np
 
-from . import _library as library
-from ._input import Request
-from ._made import frozen
+from ._input import Request, marks_of
 from ._outlined import Outlined
 from ._raster import real_numbers
 
@@ -19,18 +17,27 @@ _EXACT = 5e-324  # a bound that leaves out what is exactly on the surface; the s
 _SIMPLIFIED = ("maximum_error", "maximum_vertices", "second_pass")  # settings, keywords too
 
 
+def numbers_of(request: Request, values: Any, weights: Any, keep: Any) -> Dict[str, np.ndarray]:
+    """Copies of what is given for the points of a simplified surface, as arrays of its job; None: nothing."""
+    count, made = len(request.points), {}
+    for name, given in (("values", values), ("weights", weights)):
+        if given is not None:
+            made[name] = np.array(real_numbers(name, given))
+            counts = {count, count + len(request.arrays.get("source_points", ()))} if name == "values" else {count}
+            if made[name].ndim != 1 or len(made[name]) not in counts:
+                raise ValueError("%s must have one number for each of %s points, not the shape %s" % (
+                    name, " or ".join(map(str, sorted(counts))), made[name].shape))  # fmt: skip
+    if keep is not None:
+        made["keep"] = np.array(marks_of("keep", keep, count))
+    return made
+
+
 class Simplified(Outlined):
     """The part of a Triangulation that leaves out points within an error."""
 
     if TYPE_CHECKING:
 
-        @property
-        def _measures(self) -> Dict[str, float]: ...
-
         def __init__(self, request: Request, id_dtype: Any, wanted: Tuple[str, ...], progress: Any) -> None: ...
-
-        @property
-        def plane_points(self) -> np.ndarray: ...
 
     def simplify(
         self: Same,
@@ -39,14 +46,16 @@ class Simplified(Outlined):
         maximum_vertices: int = 0,
         second_pass: bool = False,
         values: Any = None,
+        weights: Any = None,
+        keep: Any = None,
         progress: Optional[Callable[[str, float], Any]] = None,
     ) -> Same:
         """A triangulation of fewer of the points: the others are within an error of its surface.
 
         The points, constraints and settings are those of this triangulation, and so are ids: `points` are the same
         array, not copied. `point_status` is -3 for points that were left out. ``measures["largest_error"]`` is the
-        largest error at these, ``counts["within_error"]`` their number. A simplified triangulation is simplified from
-        all points again.
+        largest error at these, times its weight, ``counts["within_error"]`` their number; `errors` has those of all
+        points, without weights. A simplified triangulation is simplified from all points again.
 
         Parameters
         ----------
@@ -55,12 +64,16 @@ class Simplified(Outlined):
         maximum_vertices : int, 0 or more, default 0
         second_pass : bool, default False
             As in `delaunay`.
-        values : (n,) array of real numbers, optional
+        values : array of real numbers, one for each point, optional
             Of the surface, in place of z: the error is theirs, in their unit. Where one is NaN or infinite the point
-            stays. Only with `duplicates` 'first', and without points that were added. `points` are copied for the
-            time of the call.
+            stays. For the points given, or also for those of `source_points`, which have none else unless their
+            heights are those of the surface.
+        weights : (n,) array of real numbers, optional
+            Times which errors of the points given count. Where one is NaN, infinite or negative the point stays.
+        keep : (n,) array of bool or uint8, optional
+            The points given that stay.
         progress : function of (str, float), optional
-            As in `delaunay`; with `values` there are two runs.
+            As in `delaunay`.
 
         Raises
         ------
@@ -85,8 +98,10 @@ class Simplified(Outlined):
         >>> kept = light.points[light.point_of_vertex]  # those that are left
         >>> made.simplify(maximum_vertices=100).counts["inserted"] <= 100
         True
+        >>> bool(light.errors.max() == light.measures["largest_error"])
+        True
         >>> warm = np.where(hills[:, 0] < 25, 10, 20)  # of another quantity than z
-        >>> made.simplify(0.5, values=warm).counts["within_error"] > 2000
+        >>> made.simplify(0.5, values=warm, keep=hills[:, 2] > 1.9).counts["within_error"] > 2000
         True
         """
         if maximum_error is None and not maximum_vertices:
@@ -97,48 +112,5 @@ class Simplified(Outlined):
         given = dict(zip(_SIMPLIFIED, (bound, maximum_vertices, second_pass)))
         with self._locked():
             self._check_input()
-        if values is None:
-            return type(self)(self._request.changed(given), self._dtype, (), progress)
-        return self._simplify_values(given, values, progress)
-
-    def _simplify_values(self: Same, given: Dict[str, Any], values: Any, progress: Any) -> Same:
-        """First the points with the values as z, then those that this keeps."""
-        request = self._request
-        numbers = real_numbers("values", values)
-        if numbers.shape != (len(request.points),):
-            raise ValueError("values must have one number for each of %d points, not the shape %s" % (
-                len(request.points), numbers.shape))  # fmt: skip
-        if "source_points" in request.arrays:
-            raise ValueError("values: the triangulation has points of the constraints, which have none; give "
-                             "delaunay() all as points")  # fmt: skip
-        if request.settings["bounding"]:
-            raise ValueError("values: the triangulation has bounding points, which have none")
-        if request.settings["duplicates"] != library.DUPLICATES_FIRST:
-            raise ValueError("values: duplicates must be 'first', as z does not say which value counts")
-        isPlain = request.settings["plane"] == library.PLANE_XY
-        places = (request.points if isPlain else self.plane_points[: len(numbers)])[:, :2]
-        first = request.changed(given, points=np.column_stack((places, numbers)))
-        job = first.job(["point_status"])
-        job.set(other_memory=first.points.nbytes)
-        if progress is not None:
-            job.set_progress(lambda phase, fraction: progress(library.PHASES[phase], fraction) and None)
-        job.run()
-        job.set_progress(None)
-        found = {name: frozen(job.array(name, self._dtype)) for name in ("point_status", "merged")}
-        counts, measures = job.counts(), job.measures()
-        library.give_back(job)
-        return self._without(found, counts, measures["largest_error"], progress)
-
-    def _without(self: Same, found: Dict[str, np.ndarray], counts: Dict[str, int], error: float, progress: Any) -> Same:
-        """Of the points that the status found does not leave out. What became of all is said as if one run had found
-        it."""
-        request = self._request
-        isOut = found["point_status"][: len(request.points)] == library.POINT_WITHIN_ERROR
-        skip = request.arrays.get("skip")
-        marks = isOut if skip is None else isOut | (skip != 0)
-        second = request.changed(dict.fromkeys(_SIMPLIFIED[:2], 0), skip=marks.view(np.uint8))
-        made = type(self)(second, self._dtype, (), progress)
-        made._counts.update({name: counts[name] for name in ("within_error", "skipped", "merged_points")})
-        made._measures["largest_error"] = error
-        made._cached.update(found)
-        return made
+        request = self._request.changed(given, numbers_of(self._request, values, weights, keep))
+        return type(self)(request, self._dtype, (), progress)

@@ -11,6 +11,7 @@ from . import _library as library
 from ._geometry import constraints_of
 from ._input import DEFAULTS, Request, points_of, with_heights
 from ._keywords import WANTED
+from ._simplified import numbers_of
 from ._triangulation import Triangulation
 from ._warnings import tell, warn
 
@@ -49,6 +50,7 @@ def _with_heights(points: Any, heights: Any, settings: Dict[str, Any]) -> Any:
 def triangulate(settings: Dict[str, Any]) -> Triangulation:
     """`delaunay` of all its arguments by name; is left those that are one number or word each."""
     points, constraints, source_points, skip, plane, id_dtype, want, progress = map(settings.pop, _OTHERS)
+    weights, keep = settings.pop("weights"), settings.pop("keep")
     chains = {name: settings.pop(name) for name in ("segments", "lines", "loops")}
     dtype = np.dtype(id_dtype)
     if dtype not in _IDS:
@@ -65,6 +67,7 @@ def triangulate(settings: Dict[str, Any]) -> Triangulation:
         given = {**chains, "source_points": source_points}
         source_points, chains, settings = _constrained(constraints, given, points.shape[1] == 3, settings)
     request = Request(points, skip, source_points, chains, plane, settings)
+    request.arrays.update(numbers_of(request, None, weights, keep))
     made = Triangulation(request, dtype, wanted, progress)
     warn(made._job, {"plane_was_chosen": 1} if request.plane_was_chosen else {})
     if request.columns == 2 and request.settings["duplicates"] != library.DUPLICATES_FIRST:

@@ -159,6 +159,13 @@ class Triangulation(Refined):
         return self._array("point_status")
 
     @property
+    def errors(self) -> np.ndarray:
+        """(n,) float64: how far the surface is from each point, vertically (in a plane: along its normal), or in the
+        `values` of `simplify`. 0 for vertices; NaN where there is no surface, and for points that were rejected or
+        skipped."""
+        return self._array("errors", np.float64)
+
+    @property
     def vertex_of_point(self) -> np.ndarray:
         """(n,) int: the vertex at each point's position, numbered from 0 in canonical order without gaps; -1: none. For
         arrays with one value per vertex; `point_of_vertex` is the inverse."""

@@ -57,6 +57,9 @@ def delaunay_2d(
     maximum_error: float = 0.0,
     maximum_vertices: int = 0,
     second_pass: bool = False,
+    values: Optional[str] = None,
+    weights: Optional[str] = None,
+    keep: Optional[str] = None,
     arrays: Union[str, Iterable[str]] = (),
 ) -> pyvista.PolyData:
     """Triangulate the points of a mesh, exactly; the first arguments are PyVista's, in its order.
@@ -132,8 +135,8 @@ def delaunay_2d(
         Leave out points as long as the surface differs at none of them by more than this, vertically (in a fitted
         plane: along its normal), in the unit of z. Corners of the convex hull and points of constraints stay. The
         result has only the points of its triangles, with their ids as point data "OriginalPointIds", and the field data
-        "LargestError"; with 'status' among `arrays` all points. Not with `alpha` or the mean of `duplicates`. 0: all
-        points.
+        "LargestError"; with 'status' or 'errors' among `arrays` all points. Not with `alpha` or the mean of
+        `duplicates`. 0: all points.
     maximum_vertices : int, 0 or more, default 0
         The best surface of at most so many points: those are left out without which it differs least from all. With
         `maximum_error`, too, it ends at whichever comes first. Points that stay in any case are never too many. 0: no
@@ -141,9 +144,13 @@ def delaunay_2d(
     second_pass : bool, default False
         With `maximum_error` or `maximum_vertices`: at the end take points out again as long as the error stays within
         the bound. It takes longer, and leaves 5 to 20 % fewer.
-    arrays : iterable of {'status', 'rank', 'constraint_edges', 'regions', 'neighbors'}
-        Arrays to add: point data "Fate" ('status'), "InsertionRank" ('rank'); cell data "ConstraintEdges"
-        ('constraint_edges'), "RegionId" ('regions'), "Neighbors" ('neighbors').
+    values, weights, keep : str, optional
+        Point arrays with one number for each point: that of which `maximum_error` is the error, in place of z; times
+        which errors count; not 0 where the point stays. A point stays, too, where its value or weight is NaN, or its
+        weight negative.
+    arrays : iterable of {'status', 'errors', 'rank', 'constraint_edges', 'regions', 'neighbors'}
+        Arrays to add: point data "Fate" ('status'), "Error" ('errors'), "InsertionRank" ('rank'); cell data
+        "ConstraintEdges" ('constraint_edges'), "RegionId" ('regions'), "Neighbors" ('neighbors').
 
     Returns
     -------

@@ -69,6 +69,11 @@ std::vector<std::pair<const char*, double>> NumbersToCompare(const vtkAHDSetting
   const auto* const polygon = reinterpret_cast<const char*>(settings.voronoiPolygon.data());
   const std::string_view corners(polygon, settings.voronoiPolygon.size() * sizeof(ahd::Point));
   numbers.emplace_back("VoronoiPolygon", double(std::hash<std::string_view>()(corners)));
+  const auto addName = [&numbers](const char* setting, bool isRead, const std::string& name)
+  { numbers.emplace_back(setting, isRead ? double(std::hash<std::string>()(name)) : 0.0); };
+  addName("ValueArrayName", settings.hasValues, settings.ValueArrayName);
+  addName("WeightArrayName", settings.hasWeights, settings.WeightArrayName);
+  addName("KeepArrayName", settings.hasMarks, settings.KeepArrayName);
   numbers.emplace_back("SourceHeights", double(settings.sourceHeights));
   numbers.emplace_back("ProjectionPlaneMode", settings.fitsPlane());
   numbers.emplace_back("Rim", double(isHull ? ahd::RimKind::ConvexHull : settings.rim));

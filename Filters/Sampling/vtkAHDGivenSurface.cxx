@@ -10,10 +10,18 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
+
+#include <algorithm>
 
 namespace
 {
+// of which each point is in one
+constexpr const char* kCountsByStatus[] = { "NumberOfPointsInserted", "NumberOfPointsWithinError",
+  "NumberOfPointsBeyondLimit", "NumberOfDuplicates", "NumberOfMergedPoints",
+  "NumberOfRejectedPoints", "NumberOfSkippedPoints" };
+
 /// A count that the filter that made the surface has added to it; -1 if there is none.
 vtkIdType CountOf(vtkPolyData* surface, const char* name)
 {
@@ -40,7 +48,21 @@ vtkPolyData* vtkAHDFindSurface(vtkDataObject* input)
 vtkIdType vtkAHDCountAddedPoints(vtkPolyData* surface)
 {
   const vtkIdType added = CountOf(surface, "NumberOfAddedPoints");
-  return added > 0 && added < surface->GetNumberOfPoints() ? added : 0;
+  const vtkIdType count = surface->GetNumberOfPoints();
+  vtkIdType all = 0;
+  for (const char* const name : kCountsByStatus)
+  {
+    all += std::max<vtkIdType>(0, CountOf(surface, name));
+  }
+  auto* const ids = vtkAHDOutputArrays::OriginalPointIds.Find(surface->GetPointData());
+  if (all <= count || added <= 0 || !ids || ids->GetNumberOfValues() != count)
+  {
+    return added > 0 && added < count ? added : 0;
+  }
+  // a simplified surface has some of them, behind its other points
+  const vtkIdType *const begin = ids->GetPointer(0), *const end = begin + count;
+  const vtkIdType left = end - std::lower_bound(begin, end, all - added);
+  return left < count ? left : 0;
 }
 
 ahd::Plane vtkAHDFitPlaneOf(

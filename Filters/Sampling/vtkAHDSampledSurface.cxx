@@ -163,6 +163,7 @@ void vtkAHDSampledSurface::Remember(
   this->Settings = settings;
   this->Known = Identity();
   this->IsKnown = this->View->AreInPlace(this->Made.points.points()) &&
+    !this->View->NamesNumbers() &&
     Identify(this->Input, this->Source, this->Surface, context, this->Known);
 }
 

@@ -138,6 +138,13 @@ def _domain(xml, row):
         for number, value in enumerate(row.values):
             xml.lines.append("  " * xml.depth + f'<Entry value="{number}" text={quoteattr(value.label)}/>')
         xml.close("EnumerationDomain")
+    elif row.panel_range == "point arrays":
+        xml.open("ArrayListDomain", [("name", "array_list"), ("none_string", "None"), ("default_values", "None"),
+                                     ("input_domain_name", "point_arrays")])
+        xml.open("RequiredProperties")
+        xml.empty("Property", [("name", "Input"), ("function", "Input")])
+        xml.close("RequiredProperties")
+        xml.close("ArrayListDomain")
     elif row.panel_range == "points":
         xml.open("NumberOfPointsRangeDomain", [("name", "range")])
         xml.open("RequiredProperties")

@@ -20,7 +20,7 @@ SWITCHES = ("bool", "flag")
 RANKS = ("same", "one", "effect", "own")
 PANELS = ("default", "advanced", "never", "none")
 FILTERS = ("surface", "voronoi", "order", "interpolation")  # ParaView's, with settings of the first table
-PANEL_RANGES = ("", "points", "any", "without a most")
+PANEL_RANGES = ("", "points", "point arrays", "any", "without a most")
 VECTORS = (2, 3, 4, 6)  # so many numbers VTK's macros take
 
 

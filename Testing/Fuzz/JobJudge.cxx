@@ -36,9 +36,9 @@ void setOptions(JobRun& run, const Options& options)
 /// One for each bit.
 void setFlags(JobRun& run, unsigned bits)
 {
-  for (const char* name :
-    { "alpha_triangles", "alpha_lines", "alpha_vertices", "voronoi_clip", "want_constraint_edges",
-      "want_insertion_ranks", "want_neighbors", "want_point_status", "want_regions" })
+  for (const char* name : { "alpha_triangles", "alpha_lines", "alpha_vertices", "voronoi_clip",
+         "want_constraint_edges", "want_insertion_ranks", "want_neighbors", "want_point_status",
+         "want_regions", "want_errors" })
   {
     run.set(name, std::int64_t(bits & 1u));
     bits >>= 1;
@@ -56,6 +56,22 @@ void setLines(JobRun& run, unsigned bits, const std::vector<double>& xyz)
   run.set("zero_is_missing", std::int64_t(bits & 1u));
   run.set("lines_on_surface", std::int64_t(1u - (bits >> 1 & 1u)));
   run.set("maximum_segment_length", (bits & 4u) != 0 ? largest / 8.0 : 0.0);
+}
+
+/// Coordinates as values and weights, and points that stay.
+void setNumbers(JobRun& run, const FuzzCase& given, const std::vector<double>& xyz)
+{
+  const auto rows = static_cast<std::int64_t>(xyz.size() / 3);
+  const double* const numbers = xyz.data();
+  const ahd_array arrays[] = { { numbers, AHD_FLOAT64, 1, rows, 3 * sizeof(double), 8 },
+    { numbers + (rows > 0 ? 1 : 0), AHD_FLOAT64, 1, rows, 3 * sizeof(double), 8 },
+    { given.head.data(), AHD_UINT8, 1, rows, 0, 1 } };
+  const char* const names[] = { "values", "weights", "keep" };
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    ahd_set_array(
+      run.job(), names[k], (given.head[kRefusals] >> k & 1) != 0 ? &arrays[k] : nullptr);
+  }
 }
 
 /// A surface of fewer points, in one case of two, without what excludes it.
@@ -90,6 +106,7 @@ void setAnything(JobRun& run, const FuzzCase& given, const std::vector<double>& 
   run.set("tolerance", bit(bits, 2) != 0 ? 1.0 / (1.0 + given.head[kMergeDistance]) : 0.0);
   run.set("maximum_edge_length", bit(more, 1) != 0 ? double(given.head[kMergeDistance]) : 0.0);
   setSimplified(run, given);
+  setNumbers(run, given, xyz);
   run.set("split_crossings", bit(bits, 4));
   run.set("closed_lines", bit(bits, 5));
   run.set("points_as_line", bit(given.head[kMostBoxes], 0));

@@ -48,6 +48,8 @@ MOST_LINES = 80
 LONG = {
     # The insertion's hot loop: in pieces, its state would not stay in registers.
     ("Filters/Engine/Insert/Kernel.cxx", "carve"),
+    # Made, a line for each setting.
+    ("Filters/vtkAdaptiveHilbertAlgorithm.cxx", "PrintSelf"),
     # Their docstrings are the reference of all keywords.
     ("Filters/Python/_arrays.py", "delaunay"),
     ("Filters/Python/pyvista.py", "delaunay_2d"),

@@ -148,8 +148,8 @@ def test_lighter():
     data, tuples = fetched(recipes.lighter(points, error))
     given = servermanager.Fetch(points)
     check(data.GetNumberOfPoints() < 1000, "%d points are left" % data.GetNumberOfPoints())
-    for i, (fate,) in enumerate(tuples("Fate")):
-        check_equal(data.GetPoint(i), given.GetPoint(int(fate)), "point %d of the light surface" % i)
+    for i, (own,) in enumerate(tuples("OriginalPointIds")):
+        check_equal(data.GetPoint(i), given.GetPoint(int(own)), "point %d of the light surface" % i)
     at_points = simple.AdaptiveHilbertInterpolation2D(Input=recipes.lighter(points, error), Places=points)
     _, tuples = fetched(at_points)
     off = [abs(height - given.GetPoint(i)[2]) for i, (height,) in enumerate(tuples("Elevation"))]

@@ -247,6 +247,7 @@ AHD_API const char* ahd_message(const ahd_job* job);
  *   want_boxes       0        0, 1: keep the boxes of the grid, and the order
  *   want_curve       0        0, 1: draw the curve in ahd_draw_order(), and keep the order
  *   want_point_status  0      0, 1: announce this array for estimate and progress
+ *   want_errors      0        0, 1: as want_point_status
  *   want_insertion_ranks  0   0, 1: required to get them; keeps the order
  *   want_constraint_edges  0  0, 1: as want_point_status
  *   want_regions     0        0, 1: as want_point_status
@@ -255,7 +256,7 @@ AHD_API const char* ahd_message(const ahd_job* job);
  *   threads          0        0 to 1024; 0: one for each processor the process may run on
  *   memory_limit     0        bytes, 0 to 2^62; 0: what the process can get without swapping
  *   other_memory     0        bytes, 0 to 2^62: of the caller, added to the estimate
- *   other_memory_per_point  0  bytes, 0 to 2^31 - 1: the same for each point, if points are added
+ *   other_memory_per_point  0  bytes, 0 to 2^31 - 1: for each point, if some are added or left out
  * double
  *   tolerance        0        0 to 1: merge points within this fraction of the diagonal of all
  *   offset           1        0.75 to 1.7e308: distance of the bounding points, in diagonals
@@ -283,6 +284,9 @@ AHD_API ahd_status ahd_get_double(ahd_job* job, const char* name, double* value)
  *   loop_offsets   integer  (c + 1)         to offset i + 1, which is not in it; ascending.
  *                                           Without, the ids are one chain
  *   matrix         float64  (4, 4)          for AHD_PLANE_MATRIX: applied to (x, y, z, 1)
+ *   values         real     (n) or (n + m)  of which maximum_error is the error; NaN: it stays
+ *   weights        real     (n)             times which errors count; negative or NaN: it stays
+ *   keep           uint8    (n)             not 0: the point stays in a simplified surface
  *   voronoi_polygon  float64  (k, 2)        for AHD_CLIP_POLYGON, in the plane: two opposite
  *                                           corners of a box, or those of a convex polygon in
  *                                           their order
@@ -436,6 +440,7 @@ AHD_API ahd_status ahd_measures(ahd_job* job, double* values, uint64_t capacity)
  *   plane_matrix        float64  (4, 4)       moves points there; not AHD_PLANE_CALLBACK
  *   point_status        id       (points)     its own id if it represents a vertex, the id of the
  *                                             point that does, or AHD_POINT_...
+ *   errors              float64  (points)     how far the surface is from it; NaN: no surface
  *   vertex_of_point     id       (points)     number of its vertex in canonical order, or -1
  *   point_of_vertex     id       (vertices)   the id that represents it
  *   vertex_bounds       float64  (2, 2)       smallest and largest x, y of these; NaN without any

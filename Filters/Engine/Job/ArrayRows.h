@@ -16,6 +16,7 @@ namespace ahd
 enum class WantedArray : std::size_t
 {
   PointStatus,
+  Errors,
   InsertionRanks,
   ConstraintEdges,
   Regions,
@@ -35,6 +36,7 @@ struct WantedRow
 
 constexpr WantedRow kWantedRows[] = {
   { "point_status", IntSetting::WantPointStatus, false, kInt64, 1, 8, 0.1 },
+  { "errors", IntSetting::WantErrors, false, kFloat64, 1, 8, 0.6 },
   { "insertion_ranks", IntSetting::WantInsertionRanks, false, kInt64, 1, 8, 0.1 },
   { "constraint_edges", IntSetting::WantConstraintEdges, true, kUint8, 1, 1, 0.5 },
   { "regions", IntSetting::WantRegions, true, kInt64, 1, 8, 1.0 },

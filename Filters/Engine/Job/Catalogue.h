@@ -161,6 +161,9 @@ constexpr Row kRows[] = {
   { Topic::Triangulation, "unfit marks", "marks_are_unfit",
     "The point data array vtkGhostType does not have one value for each of the {input_points} "
     "points, or is not of type unsigned char, so no point was skipped." },
+  { Topic::Triangulation, "unfit numbers", "unfit_numbers",
+    "Point arrays that are missing, or do not have one number for each point, are not used: "
+    "{unfit_numbers}." },
   { Topic::Triangulation, "not finite", "not_finite",
     "{not_finite} of {points} points were rejected, because {is_projected?they have no finite "
     "position in the plane of the triangulation|their x or y is NaN or infinite}; the first is "

@@ -42,6 +42,9 @@ constexpr InputRow kInputRows[] = {
   { "cells", kIntegerTypes, 1, kManyColumns, "AHD_INT32 or AHD_INT64" },
   { "cell_offsets", kIntegerTypes, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
   { "cell_groups", bitOf(kFloat64), 1, 1, "AHD_FLOAT64, of one column" },
+  { "values", kRealTypes, 1, 1, "AHD_FLOAT32 or AHD_FLOAT64, of one column" },
+  { "weights", kRealTypes, 1, 1, "AHD_FLOAT32 or AHD_FLOAT64, of one column" },
+  { "keep", bitOf(kUint8), 1, 1, "AHD_UINT8, of one column" },
 };
 static_assert(sizeof(kInputRows) / sizeof(kInputRows[0]) == kInputArrays, "a row for each");
 
@@ -129,15 +132,30 @@ void InputArrays::count(InputRequest& request) const
 {
   request.points.count = static_cast<std::size_t>((*this)[InputArray::Points].rows);
   request.sourcePoints.count = static_cast<std::size_t>((*this)[InputArray::SourcePoints].rows);
-  if (has(InputArray::Skip) && (*this)[InputArray::Skip].rows != (*this)[InputArray::Points].rows)
-  {
-    refuse(Reason::BadArray,
-      "\"skip\" has " + std::to_string((*this)[InputArray::Skip].rows) + " rows, and \"points\" " +
-        std::to_string((*this)[InputArray::Points].rows) + ".");
-  }
+  checkNumbers();
   request.lines = countCells(InputArray::LineIds, InputArray::LineOffsets);
   request.polygons = countCells(InputArray::LoopIds, InputArray::LoopOffsets);
   countSurface(request.surface);
+}
+
+/// Refuses numbers of the points that are more or fewer than these; values may be those of the
+/// source's, too.
+void InputArrays::checkNumbers() const
+{
+  const std::int64_t points = (*this)[InputArray::Points].rows;
+  for (const InputArray array :
+    { InputArray::Skip, InputArray::Values, InputArray::Weights, InputArray::Keep })
+  {
+    const std::int64_t rows = (*this)[array].rows;
+    const bool areOfAll = array == InputArray::Values &&
+      rows == points + (*this)[InputArray::SourcePoints].rows;
+    if (has(array) && rows != points && !areOfAll)
+    {
+      refuse(Reason::BadArray,
+        quoted(array) + " has " + std::to_string(rows) + " rows, and \"points\" " +
+          std::to_string(points) + ".");
+    }
+  }
 }
 
 /// It is what points, constraints and limits have made already.

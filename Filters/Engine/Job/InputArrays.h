@@ -4,7 +4,7 @@
 
 #include "../Core/Context.h"
 #include "../Options.h"
-#include "../Prepare/Prepare.h"
+#include "Run.h"
 #include "Words.h"
 
 #include <array>
@@ -41,9 +41,12 @@ enum class InputArray : std::size_t
   RankBounds,
   Cells,
   CellOffsets,
-  CellGroups
+  CellGroups,
+  Values,
+  Weights,
+  Keep
 };
-constexpr std::size_t kInputArrays = std::size_t(InputArray::CellGroups) + 1;
+constexpr std::size_t kInputArrays = std::size_t(InputArray::Keep) + 1;
 
 /// The arrays given to a job, read in place. Invalid ones are refused.
 class InputArrays
@@ -79,6 +82,7 @@ public:
 
 private:
   void countSurface(GivenTriangles& surface) const;
+  void checkNumbers() const;
 
   std::array<GivenArray, kInputArrays> arrays_ = {};
 };
@@ -88,7 +92,8 @@ private:
 class OpenInput
 {
 public:
-  /// Opens points, source points and marks; throws std::bad_alloc, and refuses if cancelled.
+  /// Opens points, source points, marks and numbers; throws std::bad_alloc, and refuses if
+  /// cancelled.
   void openPoints(const InputArrays& arrays, const Context& context);
   /// Opens lines and loops, and refuses offsets that do not ascend within the ids.
   void openCells(const InputArrays& arrays, const Context& context);
@@ -100,6 +105,7 @@ public:
 
   PointView points;
   PointView sourcePoints;
+  PointNumbers numbers;
   CellsView lines;
   CellsView loops;
   GivenTriangles surface;
@@ -118,13 +124,14 @@ private:
     std::vector<std::int64_t> offsets64, ids64;
   };
   static PointView open(const GivenArray& array, Copies& copies, const Context& context);
+  static NumbersView openNumbers(const GivenArray& array, Copies& copies, const Context& context);
   static CellsView open(const InputArrays& arrays, InputArray ids, InputArray offsets,
     CellCopies& copies, const Context& context);
 
   friend class OpenPoints;
 
-  Copies pointCopies_, sourceCopies_;
-  std::vector<unsigned char> marks_;
+  Copies pointCopies_, sourceCopies_, valueCopies_, weightCopies_;
+  std::vector<unsigned char> marks_, keptMarks_;
   CellCopies lineCopies_, loopCopies_, surfaceCopies_, polygonCopies_;
   std::vector<double> groupCopies_;
   std::vector<unsigned char> edges_, others_;

@@ -76,6 +76,9 @@ RunSettings Job::asked() const
   RunSettings asked = settings.run();
   asked.options.rankBounds = arrays.rankBounds();
   asked.voronoiPolygon = asked.clipsAtPolygon() ? arrays.voronoiPolygon() : asked.voronoiPolygon;
+  asked.hasValues = arrays.has(InputArray::Values);
+  asked.hasWeights = arrays.has(InputArray::Weights);
+  asked.hasMarks = arrays.has(InputArray::Keep);
   return asked;
 }
 
@@ -188,6 +191,7 @@ void Job::open(const Context& context, InputRequest& request)
   request.surface = input.surface;
   request.points = input.points;
   request.sourcePoints = input.sourcePoints;
+  result_->numbers = input.numbers;
   request.lines = input.lines;
   request.polygons = input.loops;
 }

@@ -214,7 +214,14 @@ std::size_t InputArrays::copiedBytes() const
       ? static_cast<std::size_t>(array.rows * array.columns) * sizeOf(array.type)
       : 0;
   }
-  for (const InputArray marks : { InputArray::Skip, InputArray::SurfaceEdges })
+  for (const InputArray numbers : { InputArray::Values, InputArray::Weights })
+  {
+    const GivenArray& array = own[numbers];
+    bytes += has(numbers) && !areViewable(array)
+      ? static_cast<std::size_t>(array.rows) * sizeOf(array.type)
+      : 0;
+  }
+  for (const InputArray marks : { InputArray::Skip, InputArray::SurfaceEdges, InputArray::Keep })
   {
     bytes += isContiguous(own[marks]) ? 0 : static_cast<std::size_t>(own[marks].rows);
   }
@@ -245,16 +252,32 @@ PointView OpenInput::open(const GivenArray& array, Copies& copies, const Context
   return view;
 }
 
+NumbersView OpenInput::openNumbers(const GivenArray& array, Copies& copies, const Context& context)
+{
+  const PointView view = open(array, copies, context);
+  NumbersView numbers;
+  numbers.doubles = array.type == 0 ? nullptr : view.doubles;
+  numbers.floats = view.floats;
+  numbers.stride = areViewable(array) ? view.stride : 1;
+  return numbers;
+}
+
 void OpenInput::openPoints(const InputArrays& arrays, const Context& context)
 {
   points = open(arrays[InputArray::Points], pointCopies_, context);
   sourcePoints = open(arrays[InputArray::SourcePoints], sourceCopies_, context);
-  const GivenArray& skip = arrays[InputArray::Skip];
-  if (!arrays.has(InputArray::Skip) || points.count == 0)
+  if (points.count == 0)
   {
     return;
   }
-  points.skip = bytesOf(skip, marks_, context);
+  points.skip = arrays.has(InputArray::Skip) ? bytesOf(arrays[InputArray::Skip], marks_, context)
+                                             : nullptr;
+  numbers.values = openNumbers(arrays[InputArray::Values], valueCopies_, context);
+  numbers.valued = static_cast<std::size_t>(arrays[InputArray::Values].rows);
+  numbers.weights = openNumbers(arrays[InputArray::Weights], weightCopies_, context);
+  numbers.keep = arrays.has(InputArray::Keep)
+    ? bytesOf(arrays[InputArray::Keep], keptMarks_, context)
+    : nullptr;
 }
 
 void OpenInput::openSurface(const InputArrays& arrays, const Context& context)

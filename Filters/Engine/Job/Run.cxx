@@ -5,6 +5,7 @@
 #include "../Core/Memory.h"
 #include "../Prepare/Stacks.h"
 #include "../Voronoi/ConvexPolygon.h"
+#include "SpacePoints.h"
 
 #include <algorithm>
 #include <limits>
@@ -39,6 +40,53 @@ std::array<std::int64_t, 2> RunResult::crossingRow(std::size_t row) const
   }
   const LeftOut& out = triangulation.constraints().leftOut[row - split];
   return { { points.cellOf(out.chain), points.cellOf(out.otherChain) } };
+}
+
+namespace
+{
+
+/// Numbers for so many points: first those of the view, then others.
+NumbersView copied(
+  const NumbersView& view, std::size_t given, double others, std::size_t count, Buffer<double>& to)
+{
+  to.allocate(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    to[i] = i < given ? view[i] : others;
+  }
+  NumbersView copy;
+  copy.doubles = to.data();
+  return copy;
+}
+
+} // namespace
+
+void RunResult::completeNumbers()
+{
+  const std::size_t count = points.points().count, inputs = points.inputCount();
+  if (count == inputs)
+  {
+    return;
+  }
+  if (numbers.values.isGiven())
+  {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const std::size_t given = std::min(numbers.valued, count);
+    numbers.values = copied(numbers.values, given, kNone, count, ownValues_);
+    interpolateAtSurface(points, ownValues_.data(), 1);
+    interpolateAtCrossings(points, ownValues_.data(), 1, 0);
+  }
+  if (numbers.weights.isGiven())
+  {
+    numbers.weights = copied(numbers.weights, inputs, 1.0, count, ownWeights_);
+  }
+  if (numbers.keep)
+  {
+    ownMarks_.allocate(count);
+    std::fill(std::copy_n(numbers.keep, inputs, ownMarks_.data()), ownMarks_.data() + count,
+      static_cast<unsigned char>(0));
+    numbers.keep = ownMarks_.data();
+  }
 }
 
 // ------------------------------------------------------------------------------------ the memory
@@ -235,7 +283,17 @@ Status Run::prepare(const Open& open, RunResult& made)
   InputRequest request = open();
   request.mostCrossings = report_.mostCrossings;
   surface_ = request.surface;
-  const auto work = [&] { return ahd::prepare(request, context_, made.points); };
+  const auto work = [&]
+  {
+    const Status status = ahd::prepare(request, context_, made.points);
+    return status != Status::Ok ? status
+                                : withoutThrowing(
+                                    [&]
+                                    {
+                                      made.completeNumbers();
+                                      return Status::Ok;
+                                    });
+  };
   const Status status = mayAsk() ? withAsking(report_.askedToSplit, work) : work();
   if (status == Status::TooManyCrossings)
   {
@@ -265,6 +323,9 @@ Status Run::simplify(RunResult& made)
   SimplifyRequest request;
   request.points = made.points.points();
   request.constraints = made.points.constraints();
+  request.values = made.numbers.values;
+  request.weights = made.numbers.weights;
+  request.mustStay = made.numbers.keep;
   request.maximumError = std::min(settings_.maximumError, std::numeric_limits<double>::max());
   request.maximumNumberOfVertices = settings_.maximumNumberOfVertices;
   request.secondPass = settings_.secondPass;

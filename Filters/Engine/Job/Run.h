@@ -27,15 +27,32 @@ namespace ahd
 /// The most rows of crossing cells in the output.
 constexpr std::size_t kMostCrossingRows = 1000;
 
+/// Numbers of the points that are given with them, borrowed. Added points have none; then values
+/// are interpolated as heights are, or NaN.
+struct PointNumbers
+{
+  NumbersView values;                  ///< of the surface, in place of z
+  std::size_t valued = 0;              ///< so many: for the points of the input, or the source, too
+  NumbersView weights;                 ///< of the points of the input; others have 1
+  const unsigned char* keep = nullptr; ///< marks of these: see SimplifyRequest::mustStay
+};
+
 /// The result of a run. Each part depends on those before it; the triangulation borrows the
 /// points.
 struct RunResult
 {
   PreparedInput points;
+  PointNumbers numbers;      ///< of all these, once they are prepared
   SimplifyResult simplified; ///< empty: all points
   Triangulation triangulation;
   VoronoiCells voronoi;
   Selection selection; ///< empty: all triangles
+
+  /// That of the surface at a point, were it a vertex.
+  double valueOf(std::size_t point) const
+  {
+    return numbers.values.isGiven() ? numbers.values[point] : points.points().z(point);
+  }
 
   /// Selects the triangles within the limits of size, if there are any. `inSpace`: the points in
   /// space. Returns Ok, Cancelled or OutOfMemory.
@@ -85,6 +102,13 @@ struct RunResult
   std::size_t crossingRows() const;
   /// The later cell and the earlier one.
   std::array<std::int64_t, 2> crossingRow(std::size_t row) const;
+
+  /// Makes the numbers those of all prepared points.
+  void completeNumbers();
+
+private:
+  Buffer<double> ownValues_, ownWeights_;
+  Buffer<unsigned char> ownMarks_;
 };
 
 /// One run: the engine's calls in their order, their memory and their stages. Borrows all
@@ -112,7 +136,7 @@ public:
   /// Those of all of RunStage.
   std::vector<double> stages() const;
 
-  /// Opens the input: the request with views in place of counts.
+  /// Opens the input: the request with views in place of counts, and RunResult::numbers.
   using Open = std::function<InputRequest()>;
   /// Lends memory to the cells of the Voronoi diagram.
   using Lend = std::function<void(const Report&, VoronoiCells&)>;

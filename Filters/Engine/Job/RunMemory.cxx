@@ -6,6 +6,7 @@
 #include "../Surface/Means.h"
 #include "../Surface/OrderDrawing.h"
 #include "../Triangulate.h"
+#include "Errors.h"
 
 #include <algorithm>
 #include <iterator>
@@ -123,7 +124,9 @@ std::size_t Estimate::preparing() const
 std::size_t Estimate::prepared() const
 {
   std::size_t bytes = preparedMemoryEstimate(request_) + perPoint(hasSurface(), 1) +
-    perPoint(settings_.simplifies(), 1); // marks
+    perPoint(settings_.simplifies(), 1) + // marks
+    perPoint(adds_ && settings_.hasValues, 8) + perPoint(adds_ && settings_.hasWeights, 8) +
+    perPoint(adds_ && settings_.hasMarks, 1);
   if (addsToSegments())
   {
     bytes += sizes_.points * (kPlace + 1) +
@@ -138,6 +141,10 @@ std::size_t Estimate::simplifying() const
   SimplifyRequest request;
   request.points.count = sizes_.points;
   request.constraints.chains = sizes_.segments > 0 ? 1 : 0;
+  const double weight = 1.0;
+  const unsigned char mark = 1;
+  request.weights.doubles = settings_.hasWeights ? &weight : nullptr;
+  request.mustStay = settings_.hasMarks ? &mark : nullptr;
   return settings_.simplifies() ? simplifyMemoryEstimate(request) + sizes_.askedToSimplify : 0;
 }
 
@@ -218,7 +225,8 @@ std::size_t Estimate::written() const
       ((selectsByAlpha() ? 3 * (2 + 1) : 2 * (3 + 1)) * sizeof(std::int32_t) +
         rows * settings_.bytesOfArrays(true));
   }
-  return bytes + bytes / 16 + 4096 + perPoint(adds_, callers_.perAddedPoint);
+  return bytes + bytes / 16 + 4096 +
+    perPoint(adds_ || settings_.simplifies(), callers_.perAddedPoint);
 }
 
 /// The selection, and memory to write arrays.
@@ -240,12 +248,15 @@ std::size_t Estimate::writing() const
     return selected + perPoint(true, kTables);
   }
   // A surface has all of them, too, to find its triangles.
-  const std::size_t tables = hasSurface() ? kTables - (hasMarks_ ? kTablesBehindConstraints : 0)
-    : selectsByAlpha()                    ? 8
-    : looksUp                             ? kNumbers
-                                          : 0;
+  const bool findsErrors = settings_.wants(WantedArray::Errors);
+  const bool needsAll = hasSurface() || findsErrors;
+  const std::size_t tables = needsAll ? kTables - (hasMarks_ ? kTablesBehindConstraints : 0)
+    : selectsByAlpha()                ? 8
+    : looksUp                         ? kNumbers
+                                      : 0;
   return selected + perPoint(settings_.limitsSize() || hasSurface(), ends + places) +
     perPoint(byCorners, 24) + perPoint(true, tables) +
+    (findsErrors ? errorMemoryEstimate(sizes_.points) : 0) +
     perPoint(hasMarks_ && settings_.wants(WantedArray::Regions), kRegions);
 }
 

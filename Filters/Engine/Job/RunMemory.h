@@ -35,7 +35,7 @@ struct RunSizes
 struct CallersMemory
 {
   std::size_t bytes = 0;
-  std::size_t perAddedPoint = 0; ///< for each point, if points are added
+  std::size_t perAddedPoint = 0; ///< for each point, if points are added, or left out in the end
 };
 
 /// Upper estimate of the peak memory in bytes while an input is prepared and triangulated and the

@@ -51,6 +51,7 @@ struct RunSettings
   double maximumError = 0.0;               ///< of a simplified surface; 0: no bound
   std::size_t maximumNumberOfVertices = 0; ///< of one; 0: no limit
   bool secondPass = false;                 ///< of one: SimplifyRequest::secondPass
+  bool hasValues = false, hasWeights = false, hasMarks = false; ///< PointNumbers, for the estimate
   VoronoiClip voronoiClip = VoronoiClip::Hull;
   std::vector<Point> voronoiPolygon; ///< its corners; empty unless it clips the cells
 

@@ -2,6 +2,7 @@
 #include "WantedArrays.h"
 
 #include "../Surface/CellArrays.h"
+#include "Errors.h"
 
 namespace ahd
 {
@@ -20,6 +21,8 @@ Status writeArray(WantedArray array, RunResult& made, const ArrayTarget& to)
   {
     case WantedArray::PointStatus:
       return withIds(to, [&](auto* ids) { return made.writeStatus(ids, to.context); });
+    case WantedArray::Errors:
+      return writeErrors(made, to.doubles(), to.context);
     case WantedArray::InsertionRanks:
       return withIds(
         to, [&](auto* ids) { return triangulation.writeInsertionRanks(ids, to.context); });

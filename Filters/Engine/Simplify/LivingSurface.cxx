@@ -320,9 +320,7 @@ double LivingSurface::measure(const Interpolant& interpolant, Index rank) const
     return 0.0;
   }
   const Sample sample = candidates_.sample(rank);
-  const double error = interpolant.error(sample);
-  const bool isRounded = !isWide_ || interpolant.isSurelyWithin(sample, error, weight, bound_);
-  return isRounded ? weight * error : interpolant.wideError(sample, weight, bound_);
+  return isWide_ ? interpolant.measure(sample, weight, bound_) : weight * interpolant.error(sample);
 }
 
 /// The square of the distance from the nearest corner without a value.

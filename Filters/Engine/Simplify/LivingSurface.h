@@ -84,42 +84,12 @@ public:
   /// first.
   bool dropWhatMayGo();
 
-  /// Calls visit(rank, error) for each point in a list.
-  template <typename Visit>
-  bool forEachError(const Visit& visit) const
-  {
-    for (Slot s = 0; s < mesh_.end(); s += Mesh::kSlotSize)
-    {
-      Index rank = firstOf(s);
-      if (!ticker_.step() || (rank != kNoIndex && !visitList(s, rank, visit)))
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
 private:
   struct Waiting
   {
     Index rank;
     Slot slot; ///< near to it, then the one that has it
   };
-
-  template <typename Visit>
-  bool visitList(Slot s, Index rank, const Visit& visit) const
-  {
-    const Interpolant interpolant = interpolantOf(s);
-    for (; rank != kNoIndex; rank = next_[rank])
-    {
-      visit(rank, measure(interpolant, rank));
-      if (!ticker_.step())
-      {
-        return false;
-      }
-    }
-    return true;
-  }
 
   Index firstOf(Slot s) const { return first_[s / Mesh::kSlotSize]; }
   Interpolant interpolantOf(Slot s) const;

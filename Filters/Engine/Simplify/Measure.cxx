@@ -68,6 +68,12 @@ double Interpolant::error(const Sample& p) const
   return orInfinity(std::fabs(a_.value + (ofB * toB_ + ofC * toC_) / divisor_ - p.value));
 }
 
+double Interpolant::measure(const Sample& p, double weight, double bound) const
+{
+  const double error = this->error(p);
+  return isSurelyWithin(p, error, weight, bound) ? weight * error : wideError(p, weight, bound);
+}
+
 bool Interpolant::isSurelyWithin(const Sample& p, double error, double weight, double bound) const
 {
   const auto size = [](double x, double y) { return std::fabs(x) + std::fabs(y); };

@@ -28,6 +28,10 @@ public:
   /// |value - interpolation|, rounded; infinity if it is no number.
   double error(const Sample& p) const;
 
+  /// The error times the weight: rounded where that is certainly not above the bound, else that of
+  /// wideError().
+  double measure(const Sample& p, double weight, double bound) const;
+
   /// Is the error times the weight certainly not above the bound? `error`: that of error(p).
   ///
   /// Let u = 2^-53, and let the size of a difference of two products be the sum of their

@@ -40,7 +40,6 @@ private:
   bool keepFewer(LivingSurface& surface, Ticker& ticker);
   bool findLargest(LivingSurface& surface, Ticker& ticker);
   bool write(const LivingSurface* surface, Ticker& ticker);
-  bool writeErrors(const LivingSurface& surface, Ticker& ticker);
 
   const SimplifyRequest& request_;
   const Context& context_;
@@ -131,7 +130,9 @@ bool Simplification::keepFewer(LivingSurface& surface, Ticker& ticker)
 bool Simplification::findLargest(LivingSurface& surface, Ticker& ticker)
 {
   surface.clearTouched();
-  surface.measureWide(out_.isWithinBound ? bound_ : std::max(bound_, out_.largestError));
+  const double bound = out_.isWithinBound ? bound_ : std::max(bound_, out_.largestError);
+  surface.measureWide(bound);
+  out_.measuredWithin = bound / candidates_.scale();
   if (!surface.settle())
   {
     return false;
@@ -169,27 +170,14 @@ bool Simplification::write(const LivingSurface* surface, Ticker& ticker)
         out_.lots[candidates_.id(static_cast<Index>(rank))] = PointLot::WithinError;
       }
     });
-  return isWritten && (!request_.wantsErrors || writeErrors(*surface, ticker)) &&
+  return isWritten &&
     inSteps(0, candidates_.duplicates().size(), ticker,
       [&](std::size_t k)
       {
         const Duplicate& duplicate = candidates_.duplicates()[k];
         out_.lots[duplicate.id] = out_.lots[duplicate.keptId];
-        const bool isOut = out_.lots[duplicate.id] == PointLot::WithinError;
-        out_.leftOut += isOut ? 1 : 0;
-        if (request_.wantsErrors && isOut)
-        {
-          out_.errors[duplicate.id] = std::numeric_limits<double>::quiet_NaN();
-        }
+        out_.leftOut += std::size_t(out_.lots[duplicate.id] == PointLot::WithinError);
       });
-}
-
-bool Simplification::writeErrors(const LivingSurface& surface, Ticker& ticker)
-{
-  out_.errors.allocate(request_.points.count);
-  return fillAll(out_.errors, 0.0, ticker) &&
-    surface.forEachError([&](Index rank, double error)
-      { out_.errors[candidates_.id(rank)] = error / candidates_.scale(); });
 }
 
 } // namespace
@@ -215,7 +203,7 @@ std::size_t simplifyMemoryEstimate(const SimplifyRequest& request)
   const bool needsRanks = request.constraints.chains > 0 || request.mustStay;
   const std::size_t perPoint = std::max(Candidates::kBytesToRead,
     Candidates::kBytes + (request.weights.isGiven() ? 8 : 0) + (needsRanks ? 4 : 0) +
-      LivingSurface::kBytes + 1 + (request.wantsErrors ? 8 : 0));
+      LivingSurface::kBytes + 1);
   return n * perPoint + (std::size_t(1) << 16);
 }
 

@@ -55,7 +55,6 @@ struct SimplifyRequest
   bool secondPass = false;
   /// Of several points at one place: whose value counts.
   Representative representative = Representative::FirstId;
-  bool wantsErrors = false;
 };
 
 /// The outcome of simplify().
@@ -63,10 +62,8 @@ struct SimplifyResult
 {
   /// Of each point. The bytes are marks for PointView::skip with skipMask 0xFF.
   Buffer<PointLot> lots;
-  /// On request, of each point: its error if it was left out within it, else 0; NaN for points at
-  /// the place of one that was left out.
-  Buffer<double> errors;
   double largestError = 0.0;   ///< of all points left out; weighted
+  double measuredWithin = 0.0; ///< the bound of Interpolant::measure() for that of each
   bool isWithinBound = true;   ///< false: the limit of vertices came first
   std::size_t kept = 0;        ///< places
   std::size_t withinError = 0; ///< places

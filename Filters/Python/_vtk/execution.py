@@ -11,7 +11,7 @@ import numpy
 
 from .. import _library as engine
 from . import messages, table
-from .arrays import bytes_to_convert, coordinates, ghost_marks, ids_of, must_be_converted
+from .arrays import bytes_to_convert, coordinates, ghost_marks, ids_of, is_viewable, must_be_converted, view
 from .outputs import Diagram, Surface, bytes_per_added_point, plane_transform, write_order
 
 SKIPPED = 1 | 2  # vtkDataSetAttributes' DUPLICATEPOINT and HIDDENPOINT
@@ -19,7 +19,7 @@ STEP, SILENCE = 0.01, 1.0 / 12.0  # of the whole; seconds, at most
 MOST_BYTES = 2**62
 MOST_THREADS = 1024
 INPUT = ("points", "skip", "source_points", "line_ids", "line_offsets", "loop_ids", "loop_offsets", "matrix",
-         "voronoi_polygon", "surface", "surface_edges")
+         "voronoi_polygon", "surface", "surface_edges", "values", "weights", "keep")
 
 
 def threads_to_use(backend, wished):
@@ -48,6 +48,22 @@ def corners_in(text):
 
     numbers = [number(word) for word in re.split(r"[\s,;]+", text, flags=re.ASCII) if word]
     return numpy.array(numbers + [math.nan] * (len(numbers) % 2), numpy.float64).reshape(-1, 2)
+
+
+def numbers_of(points, name):
+    """The array of this name with one number for each point; None if there is none."""
+    array = points.GetPointData().GetArray(name)
+    fits = array is not None and array.GetNumberOfComponents() == 1 and (
+        array.GetNumberOfTuples() == points.GetNumberOfPoints())
+    return array if fits else None
+
+
+def copied(arrays):
+    """(n,) float64: the numbers of these arrays, one behind the other."""
+    return numpy.concatenate([
+        view(array).reshape(-1).astype(numpy.float64) if is_viewable(array) else
+        numpy.array([array.GetComponent(i, 0) for i in range(array.GetNumberOfTuples())], numpy.float64)
+        for array in arrays])
 
 
 def let_go(job):
@@ -101,8 +117,29 @@ class Execution:
         self.found = types.SimpleNamespace(
             is_projected=bool(self.fits_plane or self.transform), transform_is_missing=mode == 1 and not self.transform,
             diagram_in_plane=False, input_points=given.GetNumberOfPoints(), source_points=0, source_vertices=0,
-            source_strips=0, marks_are_unfit=False, cells=0)
+            source_strips=0, marks_are_unfit=False, unfit_numbers=[], cells=0)
         self.found.adds_bounding = bool(self.values["BoundingTriangulation"]) and not self.found.is_projected
+        self.simplifies = self.values["MaximumError"] > 0.0 or self.values["MaximumNumberOfVertices"] > 0
+        self.names_numbers, self.numbers = False, {}
+        self._find_numbers()
+        self.copies_kept = bool(self.values["KeptPointsOnly"] and self.simplifies) and not (
+            self.values["GeneratePointStatus"] or self.values["GenerateErrors"])
+
+    def _find_numbers(self):
+        """The arrays that the settings name, by their names for the job; of the source behind those of the input."""
+        adds = self.source is not None and self.values["SourceMode"] and self.source.GetNumberOfPoints() > 0
+        for name, setting, is_read in (
+                ("values", "ValueArrayName", self.simplifies or self.values["GenerateErrors"]),
+                ("weights", "WeightArrayName", self.simplifies), ("keep", "KeepArrayName", self.simplifies)):
+            array = self.values[setting]
+            if not is_read or array in ("", "None"):
+                continue
+            self.names_numbers, found = True, numbers_of(self.given, array)
+            if found is None:
+                self.found.unfit_numbers += [array] if self.given.GetNumberOfPoints() else []
+                continue
+            more = numbers_of(self.source, array) if adds and name == "values" else None
+            self.numbers[name] = [found] + ([] if more is None else [more])
 
     def run(self, outputs):
         """Fills the outputs. engine.EngineError where it came to nothing: then they may have a part."""
@@ -156,7 +193,12 @@ class Execution:
             source_heights=values["SourceHeights"] if values["SourceMode"] else 0,
             threads=threads_to_use(self.backend, values["NumberOfThreads"]),
             memory_limit=min(limit * 1024 + 1023, MOST_BYTES) if limit else 0,
-            other_memory=self._other_memory(), other_memory_per_point=bytes_per_added_point(self.given))
+            other_memory=self._other_memory(), other_memory_per_point=self._bytes_per_point())
+
+    def _bytes_per_point(self):
+        """Of point data, where points are added; if those kept are shown alone, of copies, numbers and ids, too."""
+        data = bytes_per_added_point(self.given)
+        return 2 * data + 44 if self.copies_kept else data
 
     def _other_memory(self):
         """Bytes that VTK's arrays take, beyond those that the job knows of."""
@@ -170,7 +212,9 @@ class Execution:
         return sum(24 * points.GetNumberOfPoints() for points in (
             self.given.GetPoints(), source.GetPoints() if source else None) if must_be_converted(points)) + sum(
                 bytes_to_convert(self.backend, some) for some in cells) + (
-                    self.surface.bytes_to_convert() if self.surface else 0)
+                    self.surface.bytes_to_convert() if self.surface else 0) + sum(
+                        (1 if name == "keep" else 8) * array.GetNumberOfTuples()
+                        for name, arrays in self.numbers.items() for array in arrays)
 
     def _give_input(self):
         vtk, job = self.backend, self.job
@@ -191,11 +235,18 @@ class Execution:
             self.found.source_strips = source.GetNumberOfStrips()
             if self.found.source_strips:
                 job.set(points_as_line=0)
+        self._give_numbers()
         job.set(first_cell=self.found.source_vertices, unfitted_points=self.unfitted)  # verts come before lines
         if self.surface is not None:
             self.found.marks_are_unfit = False  # they are not looked at
             self.surface.give(job)
         self._give_plane()
+
+    def _give_numbers(self):
+        """Copies, since observers may write to the arrays, and these may be of any type."""
+        for name, arrays in self.numbers.items():
+            numbers = copied(arrays)
+            self.job.set_array(name, (numbers != 0).view(numpy.uint8) if name == "keep" else numbers)
 
     def _give_plane(self):
         if self.transform is None:
@@ -234,6 +285,8 @@ class Execution:
             self._write_diagram(outputs)
         if values["GenerateInsertionCurve"] or values["GenerateBoxes"]:
             write_order(self.backend, job, outputs[1])
+        if self.copies_kept:
+            surface.keep_points_of_cells(self.given)
         self.found.cells = outputs[0].GetNumberOfCells()
 
     def _write_diagram(self, outputs):

@@ -131,8 +131,8 @@ class _Executions:
             speaker.warn(text)
         is_told = self._job.count("segments_without_vertex") and self._job.count("delaunay_triangles")
         self._warned_about_limit = self._job.count("beyond_limit") > 0 and bool(self._warned_about_limit or is_told)
-        if self._values["KeepTriangulation"]:
-            self._cache.keep(merged.input, made)
+        if self._values["KeepTriangulation"] and not (execution.simplifies or execution.names_numbers):
+            self._cache.keep(merged.input, made)  # it knows points, none of their data
         merged.hand_on_points(made[0])
         if not numbers or (before and before == numbers.fingerprints()):
             self._lent = lent_of(execution, made[0], self._values["ReuseLimit"])

@@ -84,7 +84,7 @@ class LentTriangulation:
 def lent_of(execution, surface, most):
     """What an execution lends, with its job: None if that would be of no use, or more than `most` KiB."""
     given = execution.given
-    is_fit = surface.GetNumberOfPolys() > 0 and not (
+    is_fit = surface.GetNumberOfPolys() > 0 and not execution.copies_kept and not (
         execution.found.is_projected or must_be_converted(given.GetPoints()))
     fits = (execution.bytes_before + execution.bytes_converted() + execution.job.count("kept_estimate")) // 1024 < most
     return LentTriangulation(execution.job, held_places(execution.backend, given), surface) if is_fit and fits else None

@@ -66,6 +66,46 @@ class Surface:
                     self.job.array(name, out=write)
                 replace_array(getattr(self.output, "Get" + data)(), made)
 
+    def keep_points_of_cells(self, given):
+        """Leaves the points of the cells alone, in their order, with their data, and adds their ids. Without cells all
+        points stay. Requires: all else is written."""
+        output, count = self.output, self.job.count("points")
+        cells = [some for some in (output.GetVerts(), output.GetLines(), output.GetPolys()) if some.GetNumberOfCells()]
+        corners = [view(some.GetConnectivityArray()) for some in cells]
+        is_used = numpy.full(count, not corners)
+        for ids in corners:
+            is_used[ids] = True
+        kept = numpy.flatnonzero(is_used)
+        if len(kept) < count:
+            numbers = numpy.cumsum(is_used, dtype=numpy.int32) - 1
+            for ids in corners:
+                ids[:] = numbers[ids]
+            self._take_points((output.GetPoints() or given.GetPoints()).GetData(), kept)
+        made, write = new_array(self.backend.vtkIdTypeArray, len(kept), 1, IDS_NAME)
+        write[:] = kept
+        replace_array(output.GetPointData(), made)
+
+    def _take_points(self, places, kept):
+        vtk, ids, count = self.backend, id_list(self.backend, kept), places.GetNumberOfTuples()
+        left, points, data = places.NewInstance(), vtk.vtkPoints(), self.output.GetPointData()
+        left.SetNumberOfComponents(3)
+        left.SetNumberOfTuples(len(kept))
+        places.GetTuples(ids, left)
+        points.SetData(left)
+        self.output.SetPoints(points)
+        given = vtk.vtkPointData()
+        given.ShallowCopy(data)
+        remove_arrays_of_one_name(given)
+        for i in range(given.GetNumberOfArrays() - 1, -1, -1):
+            if given.GetAbstractArray(i).GetNumberOfTuples() < count:
+                given.RemoveArray(i)
+        data.Initialize()
+        data.CopyAllOn()  # which of them are scalars, ids, normals ...
+        data.CopyAllocate(given, len(kept))
+        for i in range(data.GetNumberOfArrays()):
+            data.GetAbstractArray(i).SetNumberOfTuples(len(kept))
+            given.GetAbstractArray(i).GetTuples(ids, data.GetAbstractArray(i))
+
     def add_crossings(self):
         fields, count = self.output.GetFieldData(), self.job.array_shape("crossing_cells")[0]
         if count:

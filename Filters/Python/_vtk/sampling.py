@@ -10,7 +10,7 @@ from . import cache
 from .arrays import GHOSTS, bytes_to_convert, coordinates, ghost_marks, held, held_points, ids_of, view
 from .columns import blocks_of
 from .execution import SKIPPED, Execution, let_go
-from .outputs import Surface
+from .outputs import IDS_NAME, Surface
 from .raster import box_of
 
 
@@ -87,7 +87,7 @@ class SampledSurface:
 
     def is_of(self, triangulation, given, source, surface):
         """Is it the surface of these, with these settings, and what its job reads still what it was?"""
-        if self.known is None or self.settings != times_of(self.backend, triangulation):
+        if self.known is None or self.execution.names_numbers or self.settings != times_of(self.backend, triangulation):
             return False
         if self.held.places() != self.places:
             return False
@@ -193,6 +193,11 @@ def _count(surface, name):
     return array.GetValue(0) if is_count else -1
 
 
+# of which each point is in one
+COUNTS_BY_STATUS = ("NumberOfPointsInserted", "NumberOfPointsWithinError", "NumberOfPointsBeyondLimit",
+                    "NumberOfDuplicates", "NumberOfMergedPoints", "NumberOfRejectedPoints", "NumberOfSkippedPoints")
+
+
 def is_surface(backend, given):
     """Is it a surface that vtkAdaptiveHilbertDelaunay2D made?"""
     if not isinstance(given, backend.vtkPolyData) or not given.GetNumberOfPolys():
@@ -212,5 +217,10 @@ def surface_of(merged):
 
 def count_added(surface):
     """How many of the last points of a surface were added where that was made."""
-    added = _count(surface, "NumberOfAddedPoints")
-    return added if 0 < added < surface.GetNumberOfPoints() else 0
+    added, count = _count(surface, "NumberOfAddedPoints"), surface.GetNumberOfPoints()
+    of_all = sum(max(0, _count(surface, name)) for name in COUNTS_BY_STATUS)
+    ids = surface.GetPointData().GetArray(IDS_NAME)
+    if of_all > count and added > 0 and ids and ids.IsA("vtkIdTypeArray") and ids.GetNumberOfValues() == count:
+        # a simplified surface has some of them, behind its other points
+        added = count - int(numpy.searchsorted(view(ids).reshape(-1), of_all - added))
+    return added if 0 < added < count else 0

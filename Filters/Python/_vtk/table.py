@@ -112,6 +112,24 @@ DELAUNAY = (
      'With Maximum Error or Maximum Number Of Vertices: at the end take points out again as long as the error '
      'stays within the bound. It takes longer, and leaves 5 to 20 % fewer. Off by default.',
      None, None, ()),
+    ("KeptPointsOnly", "bool", True,
+     'With Maximum Error or Maximum Number Of Vertices: the surface has the points of its triangles only, with '
+     'their ids in the input as the point array OriginalPointIds. With the status of points or errors, which are '
+     'about all points, it has all. On by default.',
+     None, None, ()),
+    ("ValueArrayName", "text", '',
+     'The point array, of one number for each point, of which Maximum Error is the error, in place of z. Where '
+     'it is NaN the point stays. Points of the source have the values of their own array of this name. Empty or '
+     '"None": z. Default "". DuplicatePolicy still chooses by z which of several points at one place is the '
+     'vertex.',
+     None, None, ()),
+    ("WeightArrayName", "text", '',
+     'The point array of weights: numbers times which the errors of points count. Where one is negative or NaN '
+     'the point stays. Points that are added have the weight 1. Empty or "None": all have. Default "".',
+     None, None, ()),
+    ("KeepArrayName", "text", '',
+     'The point array of marks: where one is not 0 the point stays. Empty or "None": no marks. Default "".',
+     None, None, ()),
     ("ProjectionPlaneMode", "enum", 0,
      'The plane in which the points are triangulated. XY plane: z is the height. Transform plane: x and y after '
      'the Transform. Best-fitting plane: the plane with the least sum of squared distances from the points, for '
@@ -150,8 +168,15 @@ DELAUNAY = (
      'Add a point array, Fate, with the status of each point: its own id if it is a vertex of the surface; the '
      'id of another point if it is a duplicate of it or was merged into it; -1 if it was rejected, because x or '
      'y is NaN or infinite; -2 if it was not inserted, because it is marked as a ghost or hidden, is beyond the '
-     'Insertion Limit, or is a duplicate of a point beyond it. Switch it on to find the points that are not in '
-     'the surface. Off by default. The array is a vtkIdTypeArray.',
+     'Insertion Limit, or is a duplicate of a point beyond it; -3 if it is within Maximum Error. Switch it on to '
+     'find the points that are not in the surface. Off by default. The array is a vtkIdTypeArray.',
+     None, None, ()),
+    ("GenerateErrors", "bool", False,
+     'Add a point array, Error: how far the surface is from each point, vertically, or in a fitted plane along '
+     'its normal. 0 for vertices; NaN where there is no surface, and for points that were rejected or skipped. '
+     'With Value Array Name it is the difference of these values. Off by default. A vtkDoubleArray. Weights do '
+     'not change it. The largest of all points that MaximumError left out is LargestError, if there are no '
+     'weights.',
      None, None, ()),
     ("GenerateConstraintEdges", "bool", False,
      'Add a cell array, ConstraintEdges: which edges of a triangle are edges of the source. The sum of 1 (from '
@@ -535,6 +560,7 @@ SAME = {
     "tolerance": "Tolerance",
     "duplicates": "DuplicatePolicy",
     "want_point_status": "GeneratePointStatus",
+    "want_errors": "GenerateErrors",
     "want_constraint_edges": "GenerateConstraintEdges",
     "want_regions": "GenerateRegionIds",
     "want_neighbors": "GenerateNeighbors",
@@ -578,6 +604,7 @@ USED_UP = {
 # Arrays of the surface that a setting adds: the setting, the job's array, name, type, components, of which data.
 ARRAYS = (
     ("GeneratePointStatus", "point_status", "Fate", "vtkIdTypeArray", 1, "PointData"),
+    ("GenerateErrors", "errors", "Error", "vtkDoubleArray", 1, "PointData"),
     ("GenerateInsertionRank", "insertion_ranks", "InsertionRank", "vtkIdTypeArray", 1, "PointData"),
     ("GenerateConstraintEdges", "constraint_edges", "ConstraintEdges", "vtkUnsignedCharArray", 1, "CellData"),
     ("GenerateRegionIds", "regions", "RegionId", "vtkIdTypeArray", 1, "CellData"),
@@ -586,6 +613,7 @@ ARRAYS = (
 # Their settings by the names that callers from PyVista use.
 ARRAY_KEYWORDS = {
     "status": "GeneratePointStatus",
+    "errors": "GenerateErrors",
     "rank": "GenerateInsertionRank",
     "constraint_edges": "GenerateConstraintEdges",
     "regions": "GenerateRegionIds",

@@ -92,6 +92,71 @@ static void test_limit(ahd_job* job)
   CHECK(ahd_counted(job, "inserted") < 50 && measured(job, "largest_error") <= 2);
 }
 
+/* Of points left out; 0 for vertices, and NaN for the one skipped. */
+static double largest_error(ahd_job* job, double* errors)
+{
+  double largest = 0;
+  uint64_t rows;
+  int64_t* const status = ahd_read_ids(job, "point_status", &rows);
+  int k;
+  CHECK_OK(job, ahd_get_array(job, "errors", AHD_FLOAT64, errors, POINTS));
+  for (k = 0; k < POINTS; ++k)
+  {
+    CHECK(k == POINTS - 1 ? errors[k] != errors[k] : errors[k] >= 0);
+    CHECK(status[k] != k || errors[k] == 0);
+    largest = status[k] == AHD_POINT_WITHIN_ERROR && errors[k] > largest ? errors[k] : largest;
+  }
+  free(status);
+  return largest;
+}
+
+/* errors; values in place of z, weights, points that stay: read in place, whatever their stride. */
+static void test_numbers(ahd_job* job, const double* xyz)
+{
+  static double errors[POINTS];
+  static float numbers[2 * POINTS];
+  static unsigned char keep[POINTS];
+  const ahd_array values = { numbers, AHD_FLOAT32, 1, POINTS, 2 * sizeof(float), 0 };
+  const ahd_array weights = { numbers + 1, AHD_FLOAT32, 1, POINTS, 2 * sizeof(float), 4 };
+  const ahd_array marks = { keep, AHD_UINT8, 1, POINTS, 1, 1 };
+  int k;
+  for (k = 0; k < POINTS; ++k)
+  {
+    numbers[2 * k] = (float)(xyz[3 * k + 2] * 4);
+    numbers[2 * k + 1] = k % 2 ? 0.5f : 2.0f;
+    keep[k] = k % 100 == 3;
+  }
+  CHECK_OK(job, ahd_set_double(job, "maximum_error", 1));
+  CHECK_OK(job, ahd_set_int(job, "maximum_vertices", 0));
+  CHECK_OK(job, ahd_set_int(job, "want_errors", 1));
+  CHECK_OK(job, ahd_set_array(job, "values", &values));
+  CHECK_OK(job, ahd_run(job));
+  CHECK(largest_error(job, errors) == measured(job, "largest_error"));
+  CHECK(measured(job, "largest_error") > 0.5 && measured(job, "largest_error") <= 1);
+  CHECK_OK(job, ahd_set_array(job, "weights", &weights));
+  CHECK_OK(job, ahd_set_array(job, "keep", &marks));
+  CHECK_OK(job, ahd_run(job));
+  CHECK(largest_error(job, errors) > 0.5);
+  for (k = 0; k < POINTS - 1; ++k)
+  {
+    CHECK(errors[k] <= (k == SIDE * SIDE ? 40 : k % 2 ? 2 : 0.5)); /* a duplicate has its own */
+    CHECK(!keep[k] || errors[k] == 0);
+  }
+}
+
+static void test_unfit_numbers(ahd_job* job)
+{
+  static const double numbers[POINTS];
+  ahd_array values = { numbers, AHD_FLOAT64, 1, POINTS - 1, 8, 8 };
+  CHECK_OK(job, ahd_set_array(job, "values", &values));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_run(job));
+  CHECK_SAYS(job, "\"values\" has 3601 rows, and \"points\" 3602.");
+  CHECK_OK(job, ahd_set_array(job, "values", NULL));
+  CHECK_OK(job, ahd_set_array(job, "weights", NULL));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_set_array(job, "keep", &values));
+  CHECK_OK(job, ahd_set_array(job, "keep", NULL));
+}
+
 static void test_refusals(ahd_job* job)
 {
   CHECK_OK(job, ahd_set_int(job, "insertion_limit", 7));
@@ -116,6 +181,8 @@ void test_simplify(void)
   ahd_job* const job = job_of_hills(xyz);
   test_error(job, xyz);
   test_limit(job);
+  test_numbers(job, xyz);
+  test_unfit_numbers(job);
   test_refusals(job);
   ahd_job_free(job);
   free(xyz);

@@ -312,23 +312,6 @@ TEST(SimplifyBound, OfDuplicatesThatOfTheRepresentativeCounts)
   }
 }
 
-TEST(SimplifyBound, ErrorsOnRequest)
-{
-  SimplifyCase given = hills(reduced(20000), 9);
-  given.add(given.at(5), 100.0);
-  given.settings.maximumError = 0.2;
-  given.settings.wantsErrors = true;
-  const SimplifyResult result = given.simplified();
-  const Surface surface(given, result);
-  ASSERT_EQ(result.errors.size(), given.count());
-  const double rounding = slack(given);
-  for (std::size_t i = 0; i + 1 < given.count(); ++i)
-  {
-    EXPECT_NEAR(result.errors[i], std::fabs(surface.values[i] - given.height(i)), rounding);
-  }
-  EXPECT_EQ(*std::max_element(result.errors.begin(), result.errors.end() - 1), result.largestError);
-}
-
 TEST(SimplifyBound, WeightsAndMarks)
 {
   SimplifyCase given = hills(reduced(20000), 10);
@@ -344,7 +327,6 @@ TEST(SimplifyBound, WeightsAndMarks)
   weights[8] = -1.0;
   given.settings.weights.doubles = weights.data();
   given.settings.mustStay = marks.data();
-  given.settings.wantsErrors = true;
   const SimplifyResult result = given.simplified();
   const Surface surface(given, result);
   const double most = 0.5 + slack(given);

@@ -73,7 +73,6 @@ SimplifyCase everything(std::size_t n)
   given.constraints.addLine({ 1, 2, 3, 2, 1 });
   given.settings.maximumError = 0.1;
   given.settings.secondPass = true;
-  given.settings.wantsErrors = true;
   return given;
 }
 

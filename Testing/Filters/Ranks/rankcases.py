@@ -15,13 +15,16 @@ TABLE = json.loads(
 
 
 # Settings that have an effect only with others, and these.
-NEEDED = {"SourceHeights": {"SourceMode": 1}, "VoronoiPolygon": {"GenerateVoronoi": True, "VoronoiClip": 2}}
+NEEDED = {"SourceHeights": {"SourceMode": 1}, "VoronoiPolygon": {"GenerateVoronoi": True, "VoronoiClip": 2},
+          **{name + "ArrayName": {"MaximumError": 0.5} for name in ("Value", "Weight", "Keep")}}
 # Settings of all ranks, and settings without effect that the last rank has besides.
 WITHOUT_EFFECT = [
     ({"Rim": 1}, {"Rim": 0}),
     ({"Transform": True}, {"ProjectionPlaneMode": 1}),
     ({"SourceMode": 0}, {"SourceHeights": 1}),
     ({"VoronoiClip": 1}, {"VoronoiPolygon": "0 0, 1 1"}),
+    ({"MaximumError": 0}, {"WeightArrayName": "w", "KeepArrayName": "k", "ValueArrayName": "v"}),
+    ({"MaximumError": 0.5}, {"WeightArrayName": "None"}),
     ({"BoundingTriangulation": 1}, {"BoundingTriangulation": 2}),
 ]
 
@@ -439,6 +442,9 @@ def known_gathered_cases(ranks):
                   dict(everything, Alpha=0.1, AlphaLines=True, AlphaVerts=True, MaximumEdgeLength=0.3), "Alpha"),
         "simplified": (with_sources(pieces(lattice(300, 12), ranks), 3),
                        dict(everything, MaximumError=0.2, SecondPass=True), "MaximumError"),
+        "simplified by values": (with_sources(pieces(few, ranks), 3), dict(
+            SourceMode=1, MaximumError=3.0, ValueArrayName="Float", WeightArrayName="Byte", KeepArrayName="Bit"),
+            "MaximumError"),
         "simplified to a number": (pieces(few, ranks), dict(everything, MaximumNumberOfVertices=60),
                                    "MaximumNumberOfVertices"),
         "tolerance": (pieces(few, ranks), dict(everything, Tolerance=0.02), "Tolerance"),

@@ -53,8 +53,11 @@ def new_arrays(numbers):
     made = {"points": points, "skip": None, "source_points": None, "line_ids": None, "line_offsets": None,
             "loop_ids": None, "loop_offsets": None, "matrix": np.array(np.eye(4)[[1, 2, 0, 3]]),
             "voronoi_polygon": numbers.random((3, 2)), "surface": None, "surface_edges": None, "cells": None,
-            "cell_offsets": None, "cell_groups": None,
+            "cell_offsets": None, "cell_groups": None, "values": None, "weights": None, "keep": None,
             "rank_bounds": np.array([[-1.0, 2.0], [-1.0, 3.0]]) if own > 6 else None}  # fmt: skip
+    if numbers.random() < 0.3:
+        made.update(values=numbers.random(count).astype(dtype), weights=numbers.random(count) * 2 - 0.1,
+                    keep=(numbers.random(count) < 0.1).astype(np.uint8))  # fmt: skip
     if count and numbers.random() < 0.3:
         made.update(surface_of(points, numbers))
         return made

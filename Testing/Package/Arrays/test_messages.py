@@ -82,6 +82,7 @@ def facts_of_class():
     for name, more in (
         ("planes", {"transform_is_missing": 1, "bounding_is_missing": 1, "diagram_in_plane": 1}),
         ("marks", {"marks_are_unfit": 1, "input_points": 38}),
+        ("numbers", {"unfit_numbers": ["Heat", "Flow"]}),
         ("emptied", {**NONE, "may_be_emptied_by_loops": 1}),
         ("collinear so far", {**NONE, "beyond_limit": 7}),
         ("one triangle", {"kept_triangles": 1, "cells": 0}),

@@ -213,9 +213,6 @@ CALLS = {
     "refine to masked sizes": lambda: MADE.refine(sizes=MASKED[:, 0]),
     "refine what alpha left": lambda: delaunay(SQUARE, alpha=9.0).refine(),
     "refine what lengths left": lambda: delaunay(SQUARE, maximum_edge_length=9.0).refine(),
-    "simplify values with a source": lambda: WITH_SOURCE.simplify(1, values=np.arange(8.0)[:6]),
-    "simplify values with bounding points": lambda: delaunay(SQUARE, bounding=True).simplify(1, values=VALUES),
-    "simplify values of the lowest": lambda: delaunay(cloud(1, 6, 3), duplicates="lowest_z").simplify(1, values=VALUES),
     "levels in a table": lambda: MADE.contours(VALUES, [[1.0, 2.0]]),
     "levels of text": lambda: MADE.contours(VALUES, ["a"]),
     "a level that is NaN": lambda: MADE.contours(VALUES, [1.0, np.nan]),
@@ -250,6 +247,12 @@ CALLS = {
     "file without packages": written_without_packages,
     "file of an unknown system": lambda: _exchange.system_of(RASTERIO, "EPSG:0"),
     "file above 4 GiB": lambda: _geotiff.write("none.tif", np.broadcast_to(0.0, (25000, 25000)), (0, 0), (1, 1)),
+    "simplify values with a source": lambda: WITH_SOURCE.simplify(1, values=np.arange(7.0)),
+    "simplify by few weights": lambda: MADE.simplify(1, weights=VALUES[:5]),
+    "simplify by pairs of weights": lambda: MADE.simplify(1, weights=SQUARE),
+    "keep a few": lambda: MADE.simplify(1, keep=np.zeros(5, bool)),
+    "keep numbers": lambda: delaunay(SQUARE, maximum_error=1, keep=VALUES),
+    "keep masked": lambda: delaunay(SQUARE, maximum_error=1, keep=MASKED[:, 0]),
     "a masked skip": lambda: delaunay(SQUARE, skip=np.ma.masked_equal(np.zeros(6, bool), False)),
 }
 for k, (_, given, _) in enumerate(test_geometry.WRONG):

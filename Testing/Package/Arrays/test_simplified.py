@@ -144,6 +144,91 @@ class SimplifiedTest(KeywordTest):
         self.assertEqual(made.point_status[:5].tolist(), [0, 1, 2, 3, 4])
         self.assertGreater(made.counts["within_error"], 1000)
 
+    def test_values_of_source_points(self):
+        """Theirs, or those of the surface where their heights are; without either they stay, with all around them."""
+        points, z = hills()
+        given = np.column_stack((points, z * 0))
+        own = np.array([[0.1, 0.1, 0], [0.7, 0.6, 0]])
+        made = delaunay(given, source_points=own, lines=[0, 1])
+        both = np.concatenate((z, [0.3, 0.4]))
+        every = np.column_stack((np.concatenate((points, own[:, :2])), both))
+        expected = delaunay(every, lines=[3000, 3001], maximum_error=BOUND)
+        light = made.simplify(BOUND, values=both)
+        np.testing.assert_array_equal(light.triangles, expected.triangles)
+        without = made.simplify(BOUND, values=z)
+        around = np.unique(without.triangles[(without.triangles >= 3000).any(1)])
+        self.assertFalse(np.isnan(without.errors[:3000]).any())
+        self.assertTrue((without.errors[around] == 0).all())
+        laid = delaunay(given, source_points=own, lines=[0, 1], source_heights="surface").simplify(BOUND, values=z)
+        expected = delaunay(points, heights=z, source_points=own, lines=[0, 1], source_heights="surface",
+                            lines_on_surface=True, maximum_error=BOUND)  # fmt: skip
+        np.testing.assert_array_equal(laid.triangles, expected.triangles)
+
+    def test_values_and_the_choice_among_duplicates(self):
+        """z chooses, and the value of the chosen one counts."""
+        points, z = hills()
+        twice, rising = np.concatenate((points, points)), np.concatenate((z * 0, z * 0 + 1))
+        made = delaunay(twice, heights=rising, duplicates="highest_z")
+        light = made.simplify(BOUND, values=np.concatenate((z * 0, z)))
+        np.testing.assert_array_equal(light.triangles, delaunay(points, heights=z).simplify(BOUND).triangles + 3000)
+
+    def test_weights_and_keep(self):
+        points, z = hills()
+        weights, keep = np.where(points[:, 0] < 0.5, 5.0, 0.2), np.arange(3000) % 100 == 0
+        weights[7:10] = np.nan, -1, np.inf
+        made = delaunay(points, heights=z, weights=weights, keep=keep, maximum_error=BOUND)
+        off = np.abs(made.interpolate(z, points) - z)
+        out = made.point_status == -3
+        self.assertLessEqual((off[out] * weights[out]).max(), BOUND * (1 + 1e-9))
+        self.assertGreater(off[out].max(), 2 * BOUND)
+        self.assertTrue((made.point_status[keep] >= 0).all() and (made.point_status[7:10] >= 0).all())
+        for given in (points, np.column_stack((points, z))):
+            values = z if given is points else None
+            again = delaunay(given).simplify(BOUND, values=values, weights=weights, keep=keep.view(np.uint8))
+            np.testing.assert_array_equal(again.triangles, made.triangles)
+        plain = again.simplify(BOUND)  # of all points, without them
+        np.testing.assert_array_equal(plain.triangles, delaunay(points, heights=z, maximum_error=BOUND).triangles)
+        weights[:] = 0  # they are copied
+        self.assertEqual(made.errors.max(), pickle.loads(pickle.dumps(made)).errors.max())
+        for name, wrong in (("weights", z[:5]), ("keep", keep[:5]), ("values", z[:5]), ("weights", None)):
+            kind = ValueError if wrong is not None else TypeError
+            with self.assertRaisesRegex(kind, name):
+                delaunay(points).simplify(BOUND, **{name: z.astype(str) if wrong is None else wrong})
+
+    def test_errors(self):
+        points, z = hills()
+        for more in ({"maximum_error": BOUND}, {"maximum_vertices": 300, "second_pass": True},
+                     {"insertion_limit": 900}):  # fmt: skip
+            made = delaunay(points, heights=z, want="errors", **more)
+            off = np.abs(made.interpolate(z, points) - z)
+            np.testing.assert_array_equal(np.isnan(made.errors), np.isnan(off))
+            np.testing.assert_allclose(made.errors, off, atol=1e-12)
+            self.assertTrue((made.errors[made.point_status >= 0] == 0).all())
+            if "insertion_limit" not in more:
+                self.assertEqual(made.errors.max(), made.measures["largest_error"])
+        ring = delaunay(points).locate([[0.2, 0.2], [0.8, 0.2], [0.5, 0.8]]).corners[:, 0]
+        made = delaunay(points, heights=z, tolerance=0.01, loops=[ring], skip=points[:, 0] > 0.9)
+        off = np.where(points[:, 0] > 0.9, np.nan, np.abs(made.interpolate(z, points) - z))
+        self.assertTrue(0 < np.isnan(off).mean() < 1 and made.counts["merged_points"] > 100)
+        np.testing.assert_allclose(made.errors, off, atol=1e-12)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", DelaunayWarning)
+            self.assertTrue(np.isnan(delaunay(points[:2]).errors).all())
+
+    def test_errors_are_exact(self):
+        """0 on the surface, however it rounds; the difference from z of others at one place; NaN of no value."""
+        points = lattice(9) / 7 + 1e6
+        z = 3 * points[:, 0] - points[:, 1]
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", DelaunayWarning)
+            twice = np.concatenate((points, points[:2]))
+            made = delaunay(twice, heights=np.r_[z, z[0] + 3, np.nan], maximum_error=1e-3)
+        self.assertEqual(made.errors[-2], abs(made.points[-2, 2] - made.points[0, 2]))
+        self.assertTrue(np.isnan(made.errors[-1]))
+        self.assertLess(made.errors[:-2].max(), 1e-9)
+        flat = delaunay(np.column_stack((lattice(9) * 0.1, np.full(81, 0.1)))).simplify(0)
+        self.assertEqual((flat.counts["inserted"], flat.errors.max()), (4, 0))
+
     def test_zero(self):
         """The keyword of delaunay is off, that of simplify leaves out what is exactly on the surface."""
         points = lattice(9)

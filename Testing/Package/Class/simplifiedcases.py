@@ -3,8 +3,8 @@
 
 import math
 
-from classtests import cloud
-from inputs import generate_all, lines_and_loops, scattered
+from classtests import array, cloud, source
+from inputs import full, generate_all, lines_and_loops, scattered
 
 CASES = {}
 
@@ -39,6 +39,45 @@ def simplified_in_a_plane():
 @case
 def simplified_to_a_number():
     return hills(), dict(MaximumNumberOfVertices=80, MaximumError=0.5, GeneratePointStatus=True)
+
+
+@case
+def simplified_by_values():
+    """With weights and marks; the source has values of its own, and one point that none of its lines has."""
+    points = hills()
+    data, count = points.GetPointData(), points.GetNumberOfPoints()
+    data.AddArray(array("vtkFloatArray", "Heat", [0.25 * (i % 40) ** 2 + math.sin(i) for i in range(count)]))
+    data.AddArray(array("vtkIntArray", "Weight", [i % 7 for i in range(count)]))
+    data.AddArray(array("vtkDoubleArray", "Mark", [0.5 * (i % 90 == 0) for i in range(count)]))
+    lines = source([(100, 100, 0), (900, 800, 0), (500, 520, 0), (300, 900, 0), (600, 50, 0)], lines=[(0, 1), (3, 4)])
+    lines.GetPointData().AddArray(array("vtkDoubleArray", "Heat", [10, math.nan, 30, 40, 50]))
+    return points, dict(MaximumError=300.0, ValueArrayName="Heat", WeightArrayName="Weight", KeepArrayName="Mark",
+                        SourceData=lines, SourceMode=1, CrossingMode=1, MergeBlocks=True)
+
+
+@case
+def simplified_by_what_is_not_there():
+    points = hills()
+    points.GetPointData().AddArray(array("vtkDoubleArray", "Flow", [0.0] * 2 * points.GetNumberOfPoints(), 2))
+    return points, dict(MaximumError=2.0, ValueArrayName="Flow", WeightArrayName="Nothing", KeepArrayName="None",
+                        GenerateErrors=True)
+
+
+@case
+def simplified_with_all_points():
+    return hills(), dict(MaximumError=2.0, KeptPointsOnly=False)
+
+
+@case
+def simplified_to_nothing():
+    """Without cells all points stay."""
+    return cloud([(i, 2.0 * i, i % 3) for i in range(9)]), dict(MaximumError=2.0)
+
+
+@case
+def errors_of_a_surface():
+    """Of which a part is cut away, and some points are not in it."""
+    return full(), dict(GenerateErrors=True, Tolerance=0.01, MaximumEdgeLength=200.0, ValueArrayName="Height")
 
 
 @case

@@ -235,7 +235,7 @@ FEATURES = (
 FEATURES += other_arrays(FEATURES) + (
     feature("all outputs", all_outputs(), most=2),
     feature("all, of segments", dict(all_outputs(), **SPLIT), source=segments, most=2),
-    feature("simplified, few left", dict(MaximumError=1e-2), {"maximum_error": 1e-2}, ["triangles"], most=2.5),
+    feature("simplified, few left", dict(MaximumError=1e-2), {"maximum_error": 1e-2}, ["triangles"], most=3),
     feature("simplified, most left", dict(MaximumError=1e-6), {"maximum_error": 1e-6}, ["triangles"], most=2))
 
 

@@ -46,6 +46,28 @@ class SimplifiedTest(unittest.TestCase):
         light = mesh.adaptive.delaunay_2d(maximum_error=BOUND)
         self.assertEqual((whole["Fate"] == -3).sum(), mesh.n_points - light.n_points)
         self.assertEqual(light.n_cells, whole.n_cells)
+        errors = mesh.adaptive.delaunay_2d(maximum_error=BOUND, arrays="errors")
+        self.assertEqual(errors["Error"].max(), errors["LargestError"][0])
+        self.assertEqual(errors.n_points, mesh.n_points)
+
+    def test_arrays_by_name(self):
+        mesh = hills()
+        mesh["Height"] = mesh.points[:, 2].astype(float)
+        mesh["Weight"] = numpy.where(mesh.points[:, 0] < 500, 1, 4)
+        mesh["Keep"] = numpy.arange(4000) % 40 == 0
+        names = dict(values="Height", weights="Weight", keep="Keep")
+        flat = mesh.copy()
+        flat.points[:, 2] = 0
+        light = flat.adaptive.delaunay_2d(maximum_error=BOUND, **names)
+        made = delaunay(mesh.points).simplify(BOUND, weights=mesh["Weight"], keep=mesh["Keep"])
+        ids = light["OriginalPointIds"]
+        self.assertTrue(numpy.array_equal(ids[light.faces.reshape(-1, 4)[:, 1:]], made.triangles))
+        self.assertEqual(set(range(0, 4000, 40)) - set(ids.tolist()), set())
+        for argument in names:
+            with self.assertRaisesRegex(ValueError, argument + ": the points have no array 'Depth'"):
+                mesh.adaptive.delaunay_2d(maximum_error=BOUND, **{argument: "Depth"})
+            with self.assertRaisesRegex(TypeError, argument + " must be the name"):
+                mesh.adaptive.delaunay_2d(maximum_error=BOUND, **{argument: 7})
 
     def test_vertices_passes_and_constraints(self):
         mesh = hills()
