@@ -104,6 +104,23 @@ TEST(Tiles, ThreadsGiveTheSameBytes)
   }
 }
 
+/// Any leaves, places beyond the points or none.
+TEST(Tiles, AnyLeavesAreAsInOneRun)
+{
+  std::mt19937_64 random(1);
+  const auto upTo = [&random](std::size_t most) { return std::size_t(random() % most) + 1; };
+  for (std::size_t k = 0; k != reduced(150); ++k)
+  {
+    const Distribution d = allDistributions()[k % allDistributions().size()];
+    const std::vector<Point> points = makePoints(d, upTo(affordable(d, 400)), k);
+    TilesWay way;
+    way.most = upTo(points.size());
+    const double far = double(upTo(3));
+    way.extent = k % 2 == 0 ? Bounds() : Bounds{ -far, 1, 0, far };
+    expectTheStream(viewOf(points), way, std::string(nameOf(d)) + ", " + std::to_string(k));
+  }
+}
+
 std::vector<Point> placesOf(const std::vector<std::int64_t>& ids, const std::vector<Point>& points)
 {
   std::vector<Point> places;
