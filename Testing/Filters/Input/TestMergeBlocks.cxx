@@ -195,6 +195,29 @@ TEST(MergeBlocks, NoBlocksNoTriangles)
   EXPECT_TRUE(filter.Said->Errors.empty());
 }
 
+/// As many as no execution takes are refused before they are copied.
+TEST(MergeBlocks, TooManyPointsAreRefused)
+{
+  vtkNew<vtkPoints> points; // never read
+  points->SetNumberOfPoints(vtkIdType(1) << 20);
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (unsigned k = 0; k < 256; ++k)
+  {
+    blocks->SetBlock(k, cloud);
+  }
+  WatchedFilter filter;
+  filter->MergeBlocksOn();
+  filter->SetMemoryLimit(1000); // for the copy of so many there is none
+  filter->SetInputDataObject(blocks);
+  filter->Update();
+  ASSERT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_NE(filter.Said->Errors[0].find("268435456 points are too many"), std::string::npos)
+    << filter.Said->Errors[0];
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
 TEST(MergeBlocks, TheCopyIsPartOfTheEstimate)
 {
   Tiles tiles;

@@ -238,6 +238,12 @@ TEST(KeptStale, AnEditedOutputIsNotPassedOn)
     { "a name",
       [](vtkPolyData* s, vtkPolyData*)
       { s->GetCellData()->GetArray("RegionId")->SetName("mine"); } },
+    { "a component's name",
+      [](vtkPolyData* s, vtkPolyData*)
+      { s->GetCellData()->GetArray("RegionId")->SetComponentName(0, "mine"); } },
+    { "a table of colours",
+      [](vtkPolyData* s, vtkPolyData*)
+      { s->GetCellData()->GetArray("RegionId")->CreateDefaultLookupTable(); } },
     { "status",
       [](vtkPolyData* s, vtkPolyData*)
       { s->GetPointData()->GetArray("Fate")->SetComponent(9, 0, 77); } },

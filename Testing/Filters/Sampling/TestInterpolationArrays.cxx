@@ -65,6 +65,30 @@ TEST(InterpolationArrays, NearestOfOtherLayouts)
   EXPECT_EQ(double(found->GetValue(4) - (1LL << 60)), arrayOf(output, "apart")->GetComponent(4, 0));
 }
 
+/// Bits are those of the nearest point, and 0 where there is none.
+TEST(InterpolationArrays, NearestOfBits)
+{
+  auto cloud = makeCloud({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
+  vtkNew<vtkBitArray> bits;
+  bits->SetName("bits");
+  bits->SetNumberOfComponents(2);
+  bits->SetNumberOfTuples(3);
+  for (int i = 0; i < 6; ++i)
+  {
+    bits->SetValue(i, i == 0 || i == 3 || i == 5); // 1 0, 0 1, 0 1
+  }
+  cloud->GetPointData()->AddArray(bits);
+  WatchedInterpolation filter;
+  filter->SetInputData(cloud);
+  filter->SetMethodToNearest();
+  filter->SetPlacesData(
+    makeCloud({ { 0.9, 0.1, 0 }, { kNaN, 0, 0 }, { 0.1, 0.1, 0 }, { 0.1, 3, 0 } }));
+  filter->Update();
+  EXPECT_EQ(
+    numbersOf(filter->GetOutput(), "bits"), (std::vector<double>{ 0, 1, 0, 0, 1, 0, 0, 1 }));
+  EXPECT_EQ(arrayOf(filter->GetOutput(), "bits")->GetDataType(), VTK_BIT);
+}
+
 /// Adds an array of this layout and type, and one of doubles with the same numbers.
 template <typename Array>
 void addBeside(vtkPolyData* cloud, const std::string& name, int width, double scale)

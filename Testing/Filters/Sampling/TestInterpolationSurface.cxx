@@ -94,6 +94,12 @@ TEST(InterpolationSurface, WithTrianglesLeftOut)
 {
   expectTheSame([](Delaunay* f) { f->SetMaximumEdgeLength(0.06); }, nullptr, { 0, 1 });
   expectTheSame([](Delaunay* f) { f->SetAlpha(0.03); }, nullptr, { 0 });
+  const auto ofMeans = [](Delaunay* f)
+  {
+    f->SetDuplicatePolicyToMeanZ(); // which the lengths are measured with
+    f->SetMaximumEdgeLength(0.06);
+  };
+  expectTheSame(ofMeans, nullptr, { 0 });
   expectTheSame([](Delaunay* f) { f->SetTolerance(0.01); }, nullptr, kAll);
 }
 

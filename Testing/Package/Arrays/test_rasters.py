@@ -4,9 +4,13 @@ With rasterio, GDAL and xarray: with_gis.py. Their numbers of cells: test_sampli
 """
 
 import unittest
+from types import SimpleNamespace
+from unittest import mock
 
 import numpy as np
-from adaptivehilbertdelaunay import DelaunayWarning, LinearInterpolator, NearestInterpolator, Raster, delaunay
+from adaptivehilbertdelaunay import (
+    DelaunayWarning, LinearInterpolator, NearestInterpolator, Raster, _exchange, delaunay,
+)
 from arraysupport import KeywordTest, cloud
 
 UTM = 1000 * cloud(71, 300) + (448000, 5411000)
@@ -72,6 +76,39 @@ class RasterTest(KeywordTest):
                      {"type": "LineString", "coordinates": ring[:3]},
                      {"type": "Feature", "geometry": {"type": "MultiPoint", "coordinates": ring}}):  # fmt: skip
             self.assertEqual(MADE.raster(cell_size=50, bounds=area), wanted)
+
+
+class OtherPackagesTest(unittest.TestCase):
+    """Rasters like those of packages that are not needed for it, and what is given to one that writes."""
+
+    def check(self, like, origin, spacing, shape):
+        raster = Raster.like(like)
+        self.assertEqual((raster.origin, raster.spacing, raster.shape), (origin, spacing, shape))
+
+    def test_places(self):
+        gdal = SimpleNamespace(RasterXSize=4, RasterYSize=3, GetGeoTransform=lambda: (100.0, 2.0, 0.0, 50.0, 0.0, -1.0))
+        self.check(gdal, (101.0, 49.5), (2.0, -1.0), (3, 4))
+        affine = SimpleNamespace(a=2.0, b=0.0, c=100.0, d=0.0, e=-1.0, f=50.0)
+        self.check(SimpleNamespace(transform=affine, width=4, height=3), (101.0, 49.5), (2.0, -1.0), (3, 4))
+        x, y = [1.0, 1.5, 2.0, 2.5], [9.0, 8.0, 7.0]
+        self.check(SimpleNamespace(dims=("band", "y", "x"), coords={"x": x, "y": y}), (1.0, 9.0), (0.5, -1.0), (3, 4))
+        table = SimpleNamespace(dims=("lon", "lat"), coords={"lon": x, "lat": y}, data_vars={})
+        self.check(table, (1.0, 9.0), (0.5, -1.0), (3, 4))
+
+    def test_files_begin_in_the_north_west(self):
+        values = np.arange(6.0).reshape(2, 3)
+        for spacing, turned in (
+            ((1, -1), values), ((1, 1), values[::-1]), ((-1, -1), values[:, ::-1]), ((-1, 1), values[::-1, ::-1])
+        ):  # fmt: skip
+            raster, written = Raster((10, 20), spacing, (2, 3)), []
+            with mock.patch.object(_exchange, "writer", lambda: SimpleNamespace(__name__="osgeo.gdal")):
+                with mock.patch.object(_exchange, "_by_gdal", lambda *given: written.append(given[1:])):
+                    raster.to_geotiff("none.tif", values)
+            (path, bands, place, crs), = written
+            self.assertEqual((path, crs, bands.shape), ("none.tif", None, (2, 3, 1)))
+            self.assertEqual(bands[:, :, 0].tolist(), turned.tolist())
+            west, north = min(raster.x) - 0.5, max(raster.y) + 0.5
+            self.assertEqual(place, (west, 1.0, 0.0, north, 0.0, -1.0))
 
 
 class PlacesTest(KeywordTest):
