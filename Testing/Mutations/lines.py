@@ -54,6 +54,13 @@ def shows(facts, fault):
     return not facts["executed"] or not lines or not set(facts["executed"].get(fault.file, [])).isdisjoint(lines)
 
 
+def unexecuted(tests):
+    """By file, the lines with a counter that none of the tests with these facts executes: any fault there survives."""
+    facts = joined(tests)
+    left = {file: set(lines) - set(facts["executed"].get(file, [])) for file, lines in facts["counted"].items()}
+    return {file: sorted(lines) for file, lines in sorted(left.items()) if lines}
+
+
 class Executed:
     """The lines of `folder` that tests execute, by gcov's counters in the objects below `build`."""
 

@@ -3,6 +3,7 @@
 """Plants faults at random places of a folder of the product, one at a time, and sees whether its tests notice.
 
     random_mutants.py SEED COUNT FOLDER      e.g. 1 30 Filters/Python, or 1,2,3 for three seeds
+    random_mutants.py SEED COUNT FOLDER --unexecuted    the lines of the folder where each fault would survive
     random_mutants.py --report FILE          only writes the Markdown report of all results
 
 A fault is a comparison flipped, a bound off by one, a condition negated, a statement, an assignment to a member or a
@@ -44,6 +45,7 @@ def parse_arguments():
     parser.add_argument("count", nargs="?", type=int, help="so many that compile")
     parser.add_argument("folder", nargs="?", type=lambda text: text.strip("/"), help="below the project's")
     parser.add_argument("--list", action="store_true", help="only print the faults; some may not compile")
+    parser.add_argument("--unexecuted", action="store_true", help="only print the lines that no test executes")
     parser.add_argument("--again", choices=["survivors", "all"], help="run these once more")
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build/mutations/random", help="copies and results")
     parser.add_argument("--jobs", type=int, default=2, help="compilers at a time")
@@ -160,6 +162,13 @@ def say(number, result, fault):
         print(f"    - {fault.old.strip()}\n    + {fault.new.strip()}", flush=True)
 
 
+def say_unexecuted(part, left, folder):
+    for file, numbers in left.items():
+        text = (part.source / file).read_text().splitlines() if file.startswith(folder + "/") else []
+        for number in numbers if text else ():
+            print(f"{file}:{number}: {text[number - 1].strip()}")
+
+
 def plant(arguments, campaign, judged):
     """The exit code of a run."""
     if arguments.list:
@@ -173,6 +182,9 @@ def plant(arguments, campaign, judged):
     except (workshop.BuildError, OSError) as error:
         print(error)
         return 2
+    if arguments.unexecuted:
+        say_unexecuted(part, lines.unexecuted(facts for _, facts in campaign.usual.values()), arguments.folder)
+        return 0
     good = True
     for seed in arguments.seeds:
         name = f"{arguments.folder} {seed}"

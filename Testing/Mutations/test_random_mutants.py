@@ -382,6 +382,11 @@ class LinesTest(unittest.TestCase):
         self.assertEqual(facts["executed"]["two.py"], [1, 2, 5, 6, 7, 10, 11, 14])
         self.check_faults(facts, "two.py", TWO_IN_PYTHON)
 
+    def test_what_no_test_executes(self):
+        one = {"executed": {"a": [1, 3]}, "counted": {"a": [1, 2, 3, 4], "b": [7], "c": [1]}}
+        two = {"executed": {"a": [4], "c": [1]}, "counted": {"a": [1, 2, 3, 4], "c": [1]}}
+        self.assertEqual(lines.unexecuted([one, two]), {"a": [2], "b": [7]})
+
     def test_what_is_counted_together(self):
         self.assertEqual(lines.group_of("Filters/Engine"), "Filters/Engine")
         self.assertEqual(lines.group_of("Filters/Engine/Job"), "Filters/Engine")
