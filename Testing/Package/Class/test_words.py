@@ -33,6 +33,29 @@ class ErrorsTest(Case):
                 "DistributePoints has an effect in the compiled class only."])
 
 
+@unittest.skipUnless(IN_PYTHON, "the compiled class is tested in C++")
+class LateTest(Case):
+    """Memory that runs out when all is made leaves no measure of it, and the next execution runs."""
+
+    def test_delaunay(self):
+        from adaptivehilbertdelaunay._vtk import filter as module
+
+        algorithm = Filter()
+        said = Said(algorithm)
+        algorithm.SetInputData(cloud([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0), (1, 1, 0)]))
+        with unittest.mock.patch.object(module, "without_points", side_effect=MemoryError):
+            algorithm.Update()
+        self.assertEqual(len(said.errors), 1)
+        self.assertIn("Out of memory. The output is empty.", said.errors[0])
+        for name in ("NumberOfTriangles", "NumberOfPointsInserted", "NumberOfDuplicates"):
+            self.assertEqual(getattr(algorithm, "Get" + name)(), 0, name)
+        self.assertEqual(algorithm.GetOutput().GetNumberOfPoints(), 0)
+        algorithm.Modified()
+        algorithm.Update()
+        self.assertEqual((algorithm.GetNumberOfTriangles(), algorithm.GetNumberOfDuplicates()), (2, 1))
+        self.assertEqual(len(said.errors), 1)
+
+
 @unittest.skipUnless(IN_PYTHON, "VTK's wrappers have words of their own")
 class RefusalsTest(Case):
     def rows(self):
