@@ -46,12 +46,11 @@ def plate(**settings):
 
 
 class QualityMeshTest(Case):
-    def assertIsMesh(self, made, mesh, values, is_flat=False):
+    def assertIsMesh(self, made, mesh, values):
         """The outputs are those of NumPy's, bit for bit."""
         found, pieces = made.GetOutput(0), made.GetOutput(1)
         points = [found.GetPoint(i) for i in range(found.GetNumberOfPoints())]
-        wanted = np.c_[mesh.points, np.zeros(len(mesh.points))] if is_flat else mesh.points
-        self.assertEqual(points, [tuple(row) for row in wanted.tolist()])
+        self.assertEqual(points, [tuple(row) for row in mesh.points.tolist()])
         self.assertEqual(triangles(found), [tuple(row) for row in mesh.triangles.tolist()])
         reasons = np.full(len(mesh.triangles), -1)
         reasons[mesh.bad] = mesh.reasons
@@ -111,6 +110,18 @@ class QualityMeshTest(Case):
         # of the source with a vertex before its cells
         self.assertEqual(numbers(pieces.GetCellData(), "SourceCell"), (mesh.markers[:, 0] + 1).tolist())
         self.assertGreaterEqual(made.GetLeastAngle(), 28 - 1e-9)
+
+    def test_a_lighter_surface(self):
+        """Settings of the simplification hold; all points stay, with their ids."""
+        hills = [(x, y, 0.2 * math.cos(3 * x) * math.cos(2 * y)) for x, y in make_points(uniform, 300)]
+        given, values = cloud(hills), [float(k) for k in range(300)]
+        given.GetPointData().AddArray(array("vtkDoubleArray", "Value", values))
+        mesh = delaunay(np.array(hills), maximum_error=0.02).refine(25, maximum_area=0.02)
+        made, said = meshed(given, MinimumAngle=25, MaximumArea=0.02, triangulation={"MaximumError": 0.02})
+        self.assertSaid(said)
+        self.assertIsMesh(made, mesh, np.array(values))
+        used = {corner for cell in triangles(made.GetOutput(0)) for corner in cell if corner < 300}
+        self.assertLess(len(used), 200)
 
     def test_data_of_all_kinds(self):
         data = cloud(SQUARE)
