@@ -24,7 +24,9 @@ CHOICES["plane"] = "'xy', 'automatic', 'best_fit'"
 # (method, arguments, exception, text)
 ROWS = [
     ("delaunay_2d", dict(arrays=["fate"]), ValueError,
-     "arrays: no 'fate'; there are 'status', 'rank', 'constraint_edges', 'regions', 'neighbors'"),
+     "arrays: no 'fate'; there are 'status', 'errors', 'rank', 'constraint_edges', 'regions', 'neighbors'"),
+    ("delaunay_2d", dict(weights=3), TypeError, "weights must be the name of a point array, a str, not 3"),
+    ("delaunay_2d", dict(weights="w"), ValueError, "weights: the points have no array 'w'; there are []"),
     ("delaunay_2d", dict(threads=1.5), TypeError, "threads must be a whole number, not 1.5"),
     ("delaunay_2d", dict(threads=-1), ValueError, "threads must be from 0 to 1024, not -1"),
     ("delaunay_2d", dict(threads=1025), ValueError, "threads must be from 0 to 1024, not 1025"),
