@@ -15,6 +15,8 @@ from __future__ import annotations
 import os
 from typing import Any, Optional, Sequence, Union
 
+import numpy as np
+
 from ._errors import BadFile, BadOptions, NoRoom, NoSurface, TilesError, WriteFailed
 from ._options import LEAF, PIECE, GeoTiff, Options, Result
 from ._plan import Plan, bytes_of
@@ -51,13 +53,13 @@ def make(
 
     Parameters
     ----------
-    files : sequence of paths
+    files : sequence of paths, or one
         .las, .laz (COPC too; laspy and lazrs), .npy ((n, 2), (n, 3), or fields x, y, z), .csv, .xyz, .txt (columns by
         name or the first ones), .vtp, .vtu (VTK). Folders stand for the files in them, patterns for what they fit.
     raster : GeoTiff, optional
     tin : path of a .pvtp, optional
         With its pieces in the folder of the same name.
-    classes : sequence of int
+    classes : sequence of int, or one
         Of points with these classes alone, such as 2, ground; by default of all.
     lines : sequence of paths of GeoJSON files, or of geometries, optional
         Breaklines, with heights: their corners become points, their segments edges; one that crosses an earlier one is
@@ -99,6 +101,11 @@ def make(
     """
     limit = bytes_of(memory) if isinstance(memory, str) else memory
     options = Options(
-        [os.fspath(path) for path in files], raster, tin, classes, lines, loops, longest_edge, duplicates, limit,
-        threads, work, overwrite, resume, skip_bad, leaf, piece, plan_only)  # fmt: skip
+        [os.fspath(path) for path in _several(files)], raster, tin and os.fspath(tin),
+        [int(one) for one in np.atleast_1d(classes)], _several(lines), _several(loops), float(longest_edge), duplicates,
+        limit, int(threads), work, overwrite, resume, skip_bad, int(leaf), int(piece), plan_only)  # fmt: skip
     return Run(options, progress, show).run()
+
+
+def _several(given: Any) -> Any:
+    return [given] if isinstance(given, (str, os.PathLike)) else given

@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 import math
+import os
+import re
 import sys
 import time
-from typing import Any, Optional, Sequence
+from typing import Any, List, Optional, Sequence
 
 from .._sampling import METHODS
 from . import make
-from ._errors import INTERRUPTED, NoRoom, TilesError
+from ._errors import INTERRUPTED, BadOptions, NoRoom, TilesError
 from ._options import DUPLICATES, LEAF, PIECE, GeoTiff
 from ._plan import Plan, bytes_of, time_said
 
@@ -57,15 +60,30 @@ def parser() -> argparse.ArgumentParser:
 def _bytes(text: str) -> int:
     try:
         return bytes_of(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError("%r is no size, such as 8GB" % text) from None
+    except BadOptions as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+
+
+def _words(given: Sequence[str]) -> List[str]:
+    """Numbers like -1e9, which argparse takes for options, begin with a space."""
+    return [" " + word if re.fullmatch(r"-[\d.]+(e[-+]?\d+)?", word, re.IGNORECASE) else word for word in given]
+
+
+def _say(what: Any, to: Any) -> None:
+    """Nothing fails because nobody reads it: results are in files."""
+    coding = getattr(to, "encoding", None) or "utf-8"
+    try:
+        print(str(what).encode(coding, "backslashreplace").decode(coding), file=to, flush=True)
+    except OSError:
+        with contextlib.suppress(OSError):  # what is still to be written has somewhere to go when Python ends
+            os.dup2(os.open(os.devnull, os.O_WRONLY), to.fileno())
 
 
 class Bar:
     """On a terminal one line that changes, otherwise nothing."""
 
     def __init__(self) -> None:
-        self.isShown, self._last = sys.stderr.isatty(), 0.0
+        self.isShown, self._last = sys.stderr is not None and sys.stderr.isatty(), 0.0
 
     def __call__(self, step: str, fraction: float, left: Optional[float]) -> None:
         now = time.monotonic()
@@ -83,7 +101,7 @@ class Bar:
 
 def main(given: Sequence[str]) -> int:
     known = parser()
-    args = vars(known.parse_args(given))
+    args = vars(known.parse_args(_words(given)))
     cell, path = args.pop("cell"), args.pop("raster")
     about = {name: args.pop(name) for name in ("method", "bounds", "align", "crs", "nodata", "dtype")}
     if (cell is None) != (path is None):
@@ -93,7 +111,7 @@ def main(given: Sequence[str]) -> int:
 
     def show(plan: Plan) -> None:
         bar.end()
-        print(plan, file=sys.stdout if args["plan"] else sys.stderr)
+        _say(plan, sys.stdout if args["plan"] else sys.stderr)
 
     try:
         made = make(raster=raster, plan_only=args["plan"], progress=bar, show=show,
@@ -106,13 +124,13 @@ def main(given: Sequence[str]) -> int:
         return _ended(bar, str(error) or "there is not enough memory", NoRoom.exit_code)
     bar.end()
     for said in made.skipped.values():
-        print("left out: " + said, file=sys.stderr)
+        _say("left out: " + said, sys.stderr)
     for output in made.outputs:
-        print(output)
+        _say(output, sys.stdout)
     return 0
 
 
 def _ended(bar: Any, message: str, code: int) -> int:
     bar.end()
-    print("adaptivehilbertdelaunay tiles: " + message, file=sys.stderr)
+    _say("adaptivehilbertdelaunay tiles: " + message, sys.stderr)
     return code

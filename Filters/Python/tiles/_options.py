@@ -59,7 +59,7 @@ class GeoTiff:
         if self.dtype not in ("float32", "float64"):
             raise BadOptions("dtype must be float32 or float64, not %r" % (self.dtype,))
         _tiff.package()
-        self.over((0.0, 1.0, 0.0, 1.0) if self.bounds is None else self.bounds)
+        self.over((0.0, 0.0, 0.0, 0.0))  # which self.bounds come before
 
     def over(self, bounds: Sequence[float]) -> Raster:
         """The cells, over points with these bounds. BadOptions."""
@@ -101,8 +101,11 @@ class Options:
             raise BadOptions("nothing is asked for: give --raster and --cell, or --tin, or all of them")
         if self.duplicates not in DUPLICATES:
             raise BadOptions("duplicates must be one of %s, not %r" % (", ".join(DUPLICATES), self.duplicates))
-        if self.tin and not self.tin.endswith(".pvtp"):
-            raise BadOptions("%s: a TIN is a .pvtp" % self.tin)
+        if self.tin and (not self.tin.endswith(".pvtp") or self.tin.encode(errors="ignore").decode() != self.tin):
+            raise BadOptions("%r: a TIN is a .pvtp, its name in Unicode" % self.tin)
+        if self.threads < 0 or (self.memory is not None and self.memory <= 0):
+            raise BadOptions("threads must be 0 (one for each processor) or more, and memory more than 0, not %r and "
+                             "%r" % (self.threads, self.memory))  # fmt: skip
         if not 0 <= self.longest_edge < math.inf:
             raise BadOptions("longest_edge must be 0 (no limit) or more, not %r" % (self.longest_edge,))
         if not (0 < self.leaf <= 1 << 26 and 0 < self.piece <= 1 << 28):
@@ -124,7 +127,7 @@ class Options:
                 found += sorted(glob.glob(one)) if not os.path.exists(one) and glob.has_magic(one) else [one]
         if not found:
             raise BadOptions("there are no files of points: %s" % ", ".join(map(str, self.files)))
-        if len(set(map(os.path.abspath, found))) < len(found):
+        if len(set(map(os.path.realpath, found))) < len(found):
             raise BadOptions("a file is named twice: its points would count twice")
         return found
 

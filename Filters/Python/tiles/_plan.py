@@ -12,7 +12,7 @@ from typing import Dict, NamedTuple, Optional, Tuple
 import numpy as np
 
 from .._interface import available_memory
-from ._errors import NoRoom
+from ._errors import BadOptions, NoRoom
 from ._finish import CELLS
 from ._points import Counted
 
@@ -103,34 +103,29 @@ def limit(memory: Optional[int]) -> int:
     return min(memory or 1 << 62, available_memory())
 
 
-def check(plan: Plan, memory: Optional[int], work: str, output: str, used: int) -> None:
-    """NoRoom. `used`: bytes of the work folder that are there already."""
+def check(plan: Plan, memory: Optional[int], work: str, output: str, used: Tuple[int, int]) -> None:
+    """NoRoom. Both folders are there. `used`: bytes of the work and of the pieces of a TIN that are there already."""
     most = limit(memory)
     if plan.memory > most:
         raise NoRoom("%s of memory are needed, and %s are %s" % (
             bytes_said(plan.memory), bytes_said(most), "allowed" if most == memory else "available"))  # fmt: skip
-    isSame = os.stat(_existing(work)).st_dev == os.stat(_existing(output)).st_dev
-    left = max(0, plan.disk - used)
-    for folder, needed in ((work, left + plan.output * isSame), (output, plan.output)):
-        free = shutil.disk_usage(_existing(folder)).free
+    isSame = os.stat(work).st_dev == os.stat(output).st_dev
+    left, results = max(0, plan.disk - used[0]), max(0, plan.output - used[1])
+    for folder, needed in ((work, left + results * isSame), (output, results)):
+        free = shutil.disk_usage(folder).free
         if needed > free:
             raise NoRoom("%s on the disk of %s are needed, and %s are free" % (
                 bytes_said(needed), folder, bytes_said(free)))  # fmt: skip
 
 
-def _existing(path: str) -> str:
-    """The folder, or the first above it that is there."""
-    path = os.path.abspath(path)
-    while not os.path.isdir(path):
-        path = os.path.dirname(path)
-    return path
-
-
 def bytes_of(text: str) -> int:
-    """Of "8 GB", "500MB", "4e9". ValueError."""
+    """Of "8 GB", "500MB", "4e9". BadOptions."""
     words = text.strip().upper().replace("IB", "B").rstrip("B").strip()
     factor = {"K": 1e3, "M": 1e6, "G": 1e9, "T": 1e12}.get(words[-1:], 1.0)
-    return int(float(words.rstrip("KMGT")) * factor)
+    try:
+        return int(float(words.rstrip("KMGT")) * factor)
+    except (ValueError, OverflowError):
+        raise BadOptions("%r is no size, such as 8GB" % text) from None
 
 
 def bytes_said(count: float) -> str:

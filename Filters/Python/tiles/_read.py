@@ -93,6 +93,9 @@ _NAMES = {"class": "classification", "lon": "x", "longitude": "x", "easting": "x
           "northing": "y", "elevation": "z", "height": "z", "depth": "z"}  # fmt: skip
 
 
+_KNOWN = ("x", "y", "z", *(name for name, _ in FIELDS))
+
+
 class _Layout(NamedTuple):
     """How a text file is laid out."""
 
@@ -112,9 +115,10 @@ def _layout(path: str) -> _Layout:
         if all(map(_is_number, words)):
             return _Layout(delimiter, skip, list(enumerate(("x", "y", "z")[: len(words)])), len(first))
         second = file.readline()
-    columns = [(number, _NAMES.get(word, word)) for number, word in enumerate(words)]
-    known = ["x", "y", "z", *(name for name, _ in FIELDS)]
-    return _Layout(delimiter, skip + 1, [one for one in columns if one[1] in known], len(second))
+    found: Dict[str, int] = {}
+    for names in ([_NAMES.get(word, word) for word in words], words):  # x counts before easting, the first of several
+        found.update((names[k], k) for k in reversed(range(len(names))) if names[k] in _KNOWN)
+    return _Layout(delimiter, skip + 1, sorted((number, name) for name, number in found.items()), len(second))
 
 
 def _is_number(word: str) -> bool:
@@ -173,7 +177,14 @@ class Las:
         with cls._open(path) as file:
             header = file.header
             bounds = np.array([header.mins, header.maxs], float)
-            return Head(header.point_count, tuple(map(float, header.scales)), _crs_of(header), bounds)
+            made = Head(header.point_count, tuple(map(float, header.scales)), _crs_of(header), bounds)
+        if not header.are_points_compressed:  # else the end of the points is not where their number says
+            ends = os.path.getsize(path), header.start_of_first_evlr, header.start_of_waveform_data_packet_record
+            room = (min(filter(None, ends)) - header.offset_to_point_data) // header.point_format.size
+            if room > made.points:
+                raise BadFile(path, "says that it has %d points, and has room for %d: its header is wrong" % (
+                    made.points, room))  # fmt: skip
+        return made
 
     @classmethod
     def chunks(cls, path: str, start: int, rows: int, threads: int) -> Iterator[Chunk]:
@@ -210,7 +221,8 @@ class Vtk:
             from vtkmodules.util.numpy_support import vtk_to_numpy
         except ImportError:
             raise BadOptions("%s: to read .vtp and .vtu, pip install vtk" % path) from None
-        reader = vtkIOXML.vtkXMLPolyDataReader() if path.endswith("vtp") else vtkIOXML.vtkXMLUnstructuredGridReader()
+        isPoly = path.lower().endswith("vtp")
+        reader = vtkIOXML.vtkXMLPolyDataReader() if isPoly else vtkIOXML.vtkXMLUnstructuredGridReader()
         errors: List[str] = []
         reader.AddObserver("ErrorEvent", lambda *_: errors.append("VTK cannot read it"))
         reader.SetFileName(path)

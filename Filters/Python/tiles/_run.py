@@ -65,6 +65,10 @@ class _Told:
         return (1 - fraction) * whole + sum(self.planned[step] for step in later)
 
 
+def _bytes_in(folder: str) -> int:
+    return sum(os.path.getsize(os.path.join(at, name)) for at, _, names in os.walk(folder) for name in names)
+
+
 class Run:
     def __init__(self, options: Options, progress: Optional[Progress], show: Callable[[_plan.Plan], Any]) -> None:
         """`show`: is given the plan. BadOptions."""
@@ -201,9 +205,8 @@ class Run:
         return made
 
     def _check_room(self, planned: _plan.Plan) -> None:
-        used = 0
-        for at, _, names in os.walk(self.store.folder):
-            used += sum(os.path.getsize(os.path.join(at, name)) for name in names)
+        pieces = self.folder + PART if self.folder else ""
+        used = _bytes_in(self.store.folder), _bytes_in(pieces) if self._is_own(pieces) else 0
         output = os.path.dirname(os.path.abspath(self.options.outputs[0]))
         _plan.check(planned, self.options.memory, self.store.folder, output, used)
 

@@ -4,6 +4,7 @@ told, with exit codes, and nothing is left half written."""
 
 import io
 import os
+import pathlib
 import shutil
 import signal
 import subprocess
@@ -230,6 +231,9 @@ class ErrorTest(TilesTest):
         self.fails(3, "there is no such file", *self.tin(good, self.at("missing.npy")))
         self.fails(3, "must be an array", *self.tin(self.saved(np.zeros((3, 7)), "wide.npy")))
         self.fails(2, "named twice", *self.tin(good, good))
+        if hasattr(os, "fork"):  # elsewhere links are for few
+            os.symlink(good, self.at("link.npy"))
+            self.fails(2, "named twice", *self.tin(good, self.at("link.npy")))
         self.fails(3, "has no classes", *self.tin(good, "--class", "2"))
 
     def test_files_that_change_meanwhile(self):
@@ -280,8 +284,8 @@ class ErrorTest(TilesTest):
         with open(bad, "w", encoding="ascii") as file:
             file.write("1 2 3\n" * 50 + "half a")
         self.fails(3, bad, *self.tin(bad, good))
-        code, said = self.command(*self.tin(bad, good), "--skip-bad")
-        self.assertEqual((code, "left out: " + bad in said), (0, True))
+        code, said = self.command(*self.tin(bad, good, self.at("no.npy")), "--skip-bad")
+        self.assertEqual((code, "left out: " + bad in said, "no.npy: there is no such file" in said), (0, True, True))
         self.assert_is_one_piece(POINTS, self.at("a.pvtp"))
 
     def test_no_surface(self):
@@ -300,7 +304,10 @@ class ErrorTest(TilesTest):
         self.fails(2, "--raster and --cell go together", good, "--cell", "1")
         self.fails(2, "a TIN is a .pvtp", good, "--tin", self.at("a.vtp"))
         self.fails(2, "there is no such folder", good, "--tin", self.at("no", "a.pvtp"))
-        self.fails(2, "is no size", *self.tin(good), "--memory", "much")
+        for size in ("much", "inf", "1e999"):
+            self.fails(2, "is no size", *self.tin(good), "--memory", size)
+        self.fails(2, "threads must be", *self.tin(good), "--threads", "-3")
+        self.fails(2, "in Unicode", good, "--tin", self.at("a\udcff.pvtp"))
         self.fails(2, "longest_edge", *self.tin(good), "--longest-edge", "-1")
         os.makedirs(self.at("full", "sub"))
         self.fails(2, "is not empty", *self.tin(good), "--work", self.at("full"))
@@ -317,6 +324,11 @@ class ErrorTest(TilesTest):
         self.fails(2, "larger than makes sense", good, *raster, "0.2", *degrees)
         self.fails(2, "crs: ", good, *raster, "0.001", "--crs", "EPSG:1")
         self.fails(2, "raster: ", good, *raster, "0")
+        tiny = self.saved(POINTS * (1e-12, 1e-12, 1), "tiny.npy")  # of which there are few cells
+        more = "--nodata", "-1e9", "--bounds", "-1e-11", "1e-10", "0", "6E-11"
+        self.assertEqual(self.command(tiny, *raster, "1e-11", *more)[0], 0)
+        self.assertEqual(raster_of(self.at("a.tif"))[0].min(), -1e9)
+        os.remove(self.at("a.tif"))
         self.fails(3, "has no z", self.saved(POINTS[:, :2], "flat.npy"), *raster, "1")
 
     def test_room(self):
@@ -327,6 +339,16 @@ class ErrorTest(TilesTest):
             code, said = self.command(*self.tin(path))
         self.assertEqual((code, "10 kB are free" in said), (5, True))
         self.assertEqual(self.command(*self.tin(path))[0], 0)
+
+    def test_pieces_that_are_there_need_no_room(self):
+        path = self.saved(POINTS)
+        with unittest.mock.patch.object(tiles._run.Run, "_write", side_effect=KeyboardInterrupt):
+            self.assertEqual(self.command(*self.tin(path))[0], 130)
+        free = 32 * len(POINTS) - 1  # bytes
+        with unittest.mock.patch.object(tiles._plan.shutil, "disk_usage", return_value=unittest.mock.Mock(free=free)):
+            code, said = self.command(*self.tin(path), "--resume")
+        self.assertEqual(code, 0, said)
+        self.assert_is_one_piece(POINTS, self.at("a.pvtp"))
 
     @unittest.skipUnless(sys.platform == "linux" and os.geteuid() == 0, "who mounts a small disk must be root on Linux")
     def test_a_full_disk(self):
@@ -383,13 +405,42 @@ class TextTest(TilesTest):
         found = set()
         for name, head, lines in (
             ("a.xyz", "", rows), ("b.csv", "x,y,z", comma), ("c.txt", "# made up\n", rows),
-            ("d.csv", 'height;"Northing";n;EASTING', swapped), ("e.csv", "", comma)):  # fmt: skip
+            ("d.csv", 'height;"Northing";n;EASTING', swapped), ("e.csv", "", comma),
+            ("f.csv", "z;y;lon;x", swapped), ("g.csv", "z;y;height;x", swapped)):  # fmt: skip
             with open(self.at(name), "w", encoding="utf-8") as file:
                 file.write("\n".join(([head] if head else []) + lines))
             tiles.make([self.at(name)], tin=self.at("a.pvtp"), leaf=100, overwrite=True)
             found.add(bytes_of(self.at("a.pvtp")))
         self.assertEqual(len(found), 1)
         self.assert_is_one_piece(POINTS, self.at("a.pvtp"))
+
+    def test_arguments(self):
+        """Paths and NumPy's numbers, one in place of several."""
+        path = pathlib.Path(self.saved(POINTS))
+        tiles.make(path, tin=pathlib.Path(self.at("a.pvtp")), leaf=np.int64(100), longest_edge=np.float32(99))
+        self.assert_is_one_piece(POINTS, self.at("a.pvtp"))
+        for classes in (2, [2, 3], np.array([2, 3])):
+            with self.assertRaisesRegex(tiles.BadFile, "has no classes"):
+                tiles.make(str(path), tin=self.at("b.pvtp"), classes=classes)
+        for memory in ("much", 0, -1):
+            with self.assertRaisesRegex(tiles.BadOptions, "is no size|more than 0"):
+                tiles.make(path, tin=self.at("b.pvtp"), memory=memory)
+        with self.assertRaisesRegex(tiles.BadFile, "lines.json: cannot be read"):
+            tiles.make(path, tin=self.at("b.pvtp"), lines=self.at("lines.json"))
+
+    def test_nobody_reads(self):
+        """A pipe that is closed, or a coding that has not all letters: the results are there, the code is 0."""
+        path, name = self.saved(POINTS), self.at("\u0416.pvtp")
+        command = [sys.executable, "-m", "adaptivehilbertdelaunay", "tiles", path, "--overwrite", "--tin", name]
+        for more in ([], ["--plan"]):
+            read, write = os.pipe()
+            os.close(read)
+            with subprocess.Popen([*command, *more], stdout=write, stderr=subprocess.PIPE) as made:
+                os.close(write)
+                said = made.communicate()[1]
+            self.assertEqual((made.returncode, b"Error" in said), (0, False), said)
+        given = {**os.environ, "PYTHONIOENCODING": "cp1252"}
+        self.assertIn(b"\\u0416.pvtp", subprocess.run(command, env=given, check=True, capture_output=True).stdout)
 
     def test_tables(self):
         table = np.zeros(len(POINTS), [("z", "f4"), ("x", "f8"), ("y", "f8"), ("classification", "i4")])

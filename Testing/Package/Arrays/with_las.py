@@ -115,21 +115,15 @@ class LasTest(TilesTest):
 
     def test_headers_that_lie(self):
         with open(self.las("a.las"), "rb") as file:
-            octets = bytearray(file.read())
+            octets = file.read()
         for name, at, kind, value, said in (("bounds.las", 179, "<d", 50.0, "has points from"),
-                                            ("count.las", 247, "<Q", len(POINTS) - 9, "")):  # fmt: skip
+                                            ("count.las", 247, "<Q", 500, "500 points, and has room for 900"),
+                                            ("more.las", 247, "<Q", len(POINTS) + 9, "")):  # fmt: skip
             lying = bytearray(octets)
             struct.pack_into(kind, lying, at, value)
             with open(self.at(name), "wb") as file:
                 file.write(lying)
-            if name == "bounds.las":
-                self.refused(self.at(name), said)
-            else:  # what is behind the points of a .las belongs to nobody
-                self.assertEqual(tiles.make([self.at(name)], tin=self.at("b.pvtp")).plan.points, len(POINTS) - 9)
-        struct.pack_into("<Q", octets, 247, len(POINTS) + 9)
-        with open(self.at("more.las"), "wb") as file:
-            file.write(octets)
-        self.refused(self.at("more.las"), "")
+            self.refused(self.at(name), said)
 
 
 def main():
