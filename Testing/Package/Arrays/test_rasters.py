@@ -78,6 +78,36 @@ class RasterTest(KeywordTest):
             self.assertEqual(MADE.raster(cell_size=50, bounds=area), wanted)
 
 
+class Gdal:
+    """As much of osgeo.gdal as writes a file: keeps what it is given."""
+
+    GDT_Byte, GDT_UInt16, GDT_Int16, GDT_UInt32, GDT_Int32, GDT_Float32, GDT_Float64 = "BHhIifd"
+    __name__ = "osgeo.gdal"
+
+    def GetDriverByName(self, name):
+        return self
+
+    def Create(self, path, columns, rows, count, kind, options):
+        self.kind, self.written = kind, np.full((rows, columns, count), 99, kind)
+        self.without = []
+        return self
+
+    def SetGeoTransform(self, place):
+        self.place = place
+
+    def GetRasterBand(self, band):
+        def write(column, row, columns, rows, numbers):
+            piece = np.frombuffer(numbers, self.kind).reshape(rows, columns)
+            self.written[row : row + rows, column : column + columns, band - 1] = piece
+
+        return SimpleNamespace(WriteRaster=write, SetNoDataValue=lambda _: self.without.append(band))
+
+    def UseExceptions(self):
+        pass
+
+    FlushCache = UseExceptions
+
+
 class OtherPackagesTest(unittest.TestCase):
     """Rasters like those of packages that are not needed for it, and what is given to one that writes."""
 
@@ -94,6 +124,17 @@ class OtherPackagesTest(unittest.TestCase):
         self.check(SimpleNamespace(dims=("band", "y", "x"), coords={"x": x, "y": y}), (1.0, 9.0), (0.5, -1.0), (3, 4))
         table = SimpleNamespace(dims=("lon", "lat"), coords={"lon": x, "lat": y}, data_vars={})
         self.check(table, (1.0, 9.0), (0.5, -1.0), (3, 4))
+
+    def test_files_of_gdal(self):
+        gdal, raster = Gdal(), Raster((10, 20), (1, -1), (600, 3))
+        for dtype, kind in (("int16", "h"), ("uint8", "B"), ("float32", "f"), ("int64", "d"), ("float16", "d")):
+            values = (np.arange(3600) % 100).reshape(600, 3, 2).astype(dtype)
+            with mock.patch.object(_exchange, "writer", lambda: gdal):
+                raster.to_geotiff("none.tif", values)
+            self.assertEqual(gdal.kind, kind)
+            self.assertTrue((gdal.written == values).all())
+            self.assertEqual(gdal.without, [1, 2] if kind in "fd" else [])
+            self.assertEqual(gdal.place, (9.5, 1.0, 0.0, 20.5, 0.0, -1.0))
 
     def test_files_begin_in_the_north_west(self):
         values = np.arange(6.0).reshape(2, 3)
