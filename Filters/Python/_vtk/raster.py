@@ -16,7 +16,6 @@ class Fault(Exception):
     """Why there is no raster. `wished`: columns and rows, where these are known."""
 
     def __init__(self, kind, wished=(0.0, 0.0)):
-        super().__init__(kind)
         self.kind, self.wished = kind, wished
 
 
