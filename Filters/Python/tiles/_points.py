@@ -284,6 +284,7 @@ def _by_leaf(records: np.ndarray, leaves: Leaves, count: int) -> Iterator[Tuple[
 def _commit(store: Store, dirty: Set[int], state: Dict[str, Any]) -> None:
     for leaf in sorted(dirty):
         sync(_leaf_file(store, leaf))
+    sync(store.path("leaf"))
     dirty.clear()
     store.save(STARTED, state)
 

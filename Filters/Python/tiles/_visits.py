@@ -33,7 +33,8 @@ class Visits:
         workers.run([*nodes, *(leaf for leaf in range(self.leaves) if leaf not in self.done)], self._work, ended)
 
     def _is_done(self, part: int) -> bool:
-        isThere = self.store.has("border" if part < self.leaves else "share", str(part))
+        folders = ["share"] if part >= self.leaves else ["border", "own"] if self.hasLines else ["border"]
+        isThere = all(self.store.has(folder, str(part)) for folder in folders)
         return isThere or (self.parents[part] >= 0 and self._is_done(self.parents[part]))
 
     def _can_begin(self, node: int) -> bool:
@@ -55,7 +56,7 @@ class Visits:
         """Parts that can begin now."""
         self.done.add(part)
         if part >= self.leaves:
-            for folder in ("border", "share"):
+            for folder in ("own", "border", "share"):
                 sync(self.store.path(folder))
             for one in self.parts[part]:
                 self.store.remove("border", str(one))

@@ -4,6 +4,7 @@ and, for rasters, the order of the files."""
 
 import importlib
 import json
+import os
 import unittest
 import unittest.mock
 import warnings
@@ -14,6 +15,8 @@ from tilesupport import (
     TilesTest, bytes_of, hash_of, kinds, needs_raster, one_piece, pieces_of, raster_of, read_piece, tiles,
     triangles_of,
 )  # fmt: skip
+
+from adaptivehilbertdelaunay.tiles import _visits
 
 COUNT = 1500
 
@@ -216,6 +219,17 @@ class LinesTest(TilesTest):
         raster = tiles.GeoTiff(self.at("a.tif"), 1, bounds=(0, 100, 0, 60))
         tiles.make([self.saved(self.points)], raster=raster, leaf=60, loops=self.files()["loops"])
         self.assertEqual(hash_of(raster_of(self.at("a.tif"))[0]), hash_of(want))
+
+    def test_a_power_cut_that_takes_one_of_two_files(self):
+        points, chains = self.whole(lines=1, loops=1)
+        words = {"tin": self.at("a.pvtp"), "leaf": 100, "threads": 1, **self.files()}
+        with unittest.mock.patch.object(_visits.Visits, "_ended", side_effect=KeyboardInterrupt):
+            with self.assertRaises(KeyboardInterrupt):
+                tiles.make([self.saved(self.points)], **words)
+        os.remove(self.at("a.pvtp.work", "own", "0"))
+        tiles.make([self.at("points.npy")], resume=True, **words)
+        want = one_piece(points, **chains).triangles.astype(np.int64)
+        self.assertEqual(hash_of(triangles_of(self.at("a.pvtp"))), hash_of(want))
 
     def test_refused(self):
         flat = self.written("flat.json", "LineString", [(1, 2), (3, 4)])
