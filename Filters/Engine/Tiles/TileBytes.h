@@ -16,14 +16,8 @@ namespace ahd
 {
 
 // What visits leave for later ones, as bytes that a caller keeps. They begin with what they are,
-// and of which plan and part. Numbers are written as they lie in memory.
-
-/// Bytes of the caller's.
-struct TileView
-{
-  const unsigned char* data;
-  std::size_t size;
-};
+// and of which plan and part. Numbers are written as they lie in memory. Fingerprints show whether
+// any have changed: what is read is as it was written, so it is not checked further.
 
 enum class TileKind : std::uint64_t
 {
@@ -36,7 +30,8 @@ enum class TileKind : std::uint64_t
 void beginBytes(TileKind kind, const TilePlan& plan, std::size_t part, BlockBytes& bytes);
 /// All of it is written.
 void endBytes(BlockBytes& bytes);
-/// What follows; null data unless the bytes are whole and as is said. Reads a few bytes.
+/// What follows; null data unless the bytes are whole, as is said, and unchanged. Of a share it
+/// reads a few bytes: sections have fingerprints of their own.
 TileView contentOf(TileKind kind, const TilePlan& plan, std::size_t part, const TileView& bytes);
 
 /// What goes from a part to the node that joins it.
@@ -89,24 +84,23 @@ struct TileSection
   auto fields() { return std::tie(points, corners, flags, pieceOf, pieces); }
 };
 
-/// Writes the share of a node, section by section, leaves ascending.
+/// Writes the share of a node, with a section for each leaf that it joins, ascending.
 class ShareWriter
 {
 public:
-  /// `leaves`: that get a section, ascending.
-  ShareWriter(
-    const TilePlan& plan, std::size_t node, const std::vector<Index>& leaves, BlockBytes& bytes);
-  /// The next one.
+  ShareWriter(const TilePlan& plan, std::size_t node, BlockBytes& bytes);
+  /// That of the next leaf.
   void add(const TileSection& section);
   void end() { endBytes(bytes_); }
 
 private:
   BlockBytes& bytes_;
-  std::size_t index_; ///< where the ends of sections are written
+  std::size_t leaf_;  ///< the next one
+  std::size_t index_; ///< where the end of its section is written
 };
 
-/// Reads the section of a leaf, an empty one if it has none. False if these bytes are not the
-/// share of the node.
+/// Reads the section of a leaf. False if these bytes are not the share of the node, or the section
+/// has changed. @pre the node joins the leaf
 bool readSection(const TilePlan& plan, std::size_t node, std::size_t leaf, const TileView& share,
   TileSection& section);
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace ahd
 {
@@ -15,14 +16,6 @@ namespace
 {
 
 constexpr std::uint64_t kKindOfPlan = 0x414844506C616E31; // "AHDPlan1"
-
-Fingerprint fingerprintOf(const BlockBytes& bytes, std::size_t count)
-{
-  FingerprintSum sum;
-  const std::size_t words = count / FingerprintSum::kWord;
-  sum.add(bytes.data(), 0, words, words);
-  return sum.finish(bytes.data(), count, kKindOfPlan);
-}
 
 constexpr unsigned kIndexedBits = 16; // of keys: a table that fits the second-level cache
 
@@ -65,6 +58,14 @@ Range rangeWithin(std::size_t count, double low, double high, At at)
 
 } // namespace
 
+Fingerprint fingerprintOf(const TileView& bytes, std::uint64_t kind)
+{
+  FingerprintSum sum;
+  const std::size_t words = bytes.size / FingerprintSum::kWord;
+  sum.add(bytes.data, 0, words, words);
+  return sum.finish(bytes.data, bytes.size, kind);
+}
+
 TilePlan::TilePlan(TileFacts facts)
   : facts_(std::move(facts))
   , grid_(isEmpty(facts_.bounds) ? Bounds{ 0.0, 0.0, 0.0, 0.0 } : facts_.bounds)
@@ -74,7 +75,7 @@ TilePlan::TilePlan(TileFacts facts)
   arrange();
   BlockBytes bytes;
   BytesWriter{ bytes }(facts_);
-  fingerprint_ = fingerprintOf(bytes, bytes.size());
+  fingerprint_ = fingerprintOf({ bytes.data(), bytes.size() }, kKindOfPlan);
 }
 
 /// Places of leaves. Those beyond the bounds are as their nearest places within these.
@@ -253,15 +254,14 @@ bool TilePlan::read(const unsigned char* bytes, std::size_t size, TileFacts& fac
   {
     return false;
   }
-  const BlockBytes all(bytes, bytes + size);
   Fingerprint said;
-  std::copy_n(all.end() - kEnd, kEnd, reinterpret_cast<unsigned char*>(&said));
-  if (said != fingerprintOf(all, size - kEnd))
+  std::memcpy(&said, bytes + size - kEnd, kEnd);
+  if (said != fingerprintOf({ bytes, size - kEnd }, kKindOfPlan))
   {
     return false;
   }
   facts = TileFacts();
-  BytesReader{ all }(facts);
+  BytesReader{ bytes, size - kEnd }(facts);
   return !facts.leaves.empty();
 }
 

@@ -19,6 +19,15 @@
 namespace ahd
 {
 
+/// Bytes of the caller's.
+struct TileView
+{
+  const unsigned char* data;
+  std::size_t size;
+};
+/// `kind`: distinguishes equal bytes.
+Fingerprint fingerprintOf(const TileView& bytes, std::uint64_t kind);
+
 /// A leaf: a box of the grid of ranks, and the points in it, duplicates included.
 struct TileLeaf
 {

@@ -189,10 +189,9 @@ private:
   bool writeSections(BlockBytes& share)
   {
     followPieces();
-    const std::vector<Index> leaves = leavesToTell();
-    ShareWriter writer(plan_, node_, leaves, share);
+    ShareWriter writer(plan_, node_, share);
     auto point = points_.cbegin(), triangle = ofLeaves_.cbegin();
-    for (const Index leaf : leaves)
+    for (std::size_t leaf = plan_.rowOf(node_).begin; leaf != plan_.rowOf(node_).end; ++leaf)
     {
       const auto firstPoint = point, firstTriangle = triangle;
       const auto isOther = [leaf](const Item& item) { return item.leaf != leaf; };
@@ -245,25 +244,6 @@ private:
     return section;
   }
 
-  /// With loops all: they ask for their pieces.
-  std::vector<Index> leavesToTell() const
-  {
-    std::vector<Index> leaves;
-    const BlockRow& row = plan_.rowOf(node_);
-    for (std::size_t leaf = row.begin; plan_.hasLoops() && leaf != row.end; ++leaf)
-    {
-      leaves.push_back(static_cast<Index>(leaf));
-    }
-    for (const Item& item : points_)
-    {
-      if (leaves.empty() || leaves.back() < item.leaf)
-      {
-        leaves.push_back(item.leaf);
-      }
-    }
-    return leaves;
-  }
-
   /// Of each piece of each part below, what it is here.
   void followPieces()
   {
@@ -290,7 +270,7 @@ private:
   }
 
   /// Of those of the part that has the leaf.
-  std::vector<Index> piecesFor(Index leaf) const
+  std::vector<Index> piecesFor(std::size_t leaf) const
   {
     for (std::size_t child = 0; child != pieces_.size(); ++child)
     {

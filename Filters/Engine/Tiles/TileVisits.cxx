@@ -125,15 +125,6 @@ bool TileVisits::readBorders(
     }
     borders.emplace_back();
     BytesReader{ content.data, content.size }(borders.back());
-    const PartBorder& border = borders.back().border;
-    const auto isIn = [&border](const BorderEdge& edge)
-    { return std::max(edge.from, edge.to) < border.points.size(); };
-    const std::size_t pieces = borders.back().pieces.size();
-    if (!std::all_of(border.edges.begin(), border.edges.end(), isIn) ||
-      pieces != (plan_.hasLoops() ? border.edges.size() : 0))
-    {
-      return false;
-    }
   }
   return parts.size() == given.size();
 }
