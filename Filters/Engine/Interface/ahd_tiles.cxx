@@ -171,7 +171,7 @@ ahd_status ahd_tiles_visit(ahd_job* job, uint64_t leaf, const ahd_array* points,
     [=](ahd::Job& own)
     {
       const ahd::GivenTile tile = tileOf(leaf, points, ids);
-      own.apart([&](const ahd::Context& context)
+      own.visitTiles([&](const ahd::Context& context)
         { own.tiles().visit(tile, representativeOf(own), context); });
     });
 }
@@ -182,7 +182,7 @@ ahd_status ahd_tiles_merge(ahd_job* job, uint64_t node, const ahd_bytes* borders
     [=](ahd::Job& own)
     {
       const auto given = bytesOf(borders, count);
-      own.apart([&](const ahd::Context& context) { own.tiles().merge(node, given, context); });
+      own.visitTiles([&](const ahd::Context& context) { own.tiles().merge(node, given, context); });
     });
 }
 
@@ -194,7 +194,7 @@ ahd_status ahd_tiles_triangles(ahd_job* job, uint64_t leaf, const ahd_array* poi
     {
       const ahd::GivenTile tile = tileOf(leaf, points, ids);
       const ahd::GivenKept kept{ bytesOf(own_bytes, 1)[0], bytesOf(shares, count) };
-      own.apart(
+      own.visitTiles(
         [&](const ahd::Context& context) { own.tiles().makeTriangles(tile, kept, context); });
     });
 }
@@ -205,7 +205,8 @@ ahd_status ahd_tiles_list(ahd_job* job, uint64_t leaf, const ahd_bytes* shares, 
     [=](ahd::Job& own)
     {
       const auto given = bytesOf(shares, count);
-      own.apart([&](const ahd::Context& context) { own.tiles().makeList(leaf, given, context); });
+      own.visitTiles(
+        [&](const ahd::Context& context) { own.tiles().makeList(leaf, given, context); });
     });
 }
 
@@ -218,7 +219,7 @@ ahd_status ahd_tiles_surface(ahd_job* job, uint64_t leaf, const ahd_array* point
       const ahd::GivenTile tile = tileOf(leaf, points, ids);
       const ahd::GivenKept kept{ bytesOf(own_bytes, 1)[0], bytesOf(shares, count) };
       const double longest = own.settings[ahd::DoubleSetting::MaximumEdgeLength];
-      own.apart([&](const ahd::Context& context)
+      own.visitTiles([&](const ahd::Context& context)
         { own.tiles().makeSurface(tile, kept, longest, context); });
     });
 }

@@ -62,12 +62,13 @@
  *
  * The plan belongs to the job, apart from its input and result: ahd_run() and ahd_release() leave
  * it, ahd_reset() discards it. The output arrays of a call below stay until the next of these
- * calls; all have names for ahd_array_size() and ahd_get_array().
+ * calls, and are empty when it fails; all have names for ahd_array_size() and ahd_get_array().
  */
 
 #include "ahd.h"
 
 /* Bytes that the caller kept. They are of one version of the library and of one kind of processor.
+ * Those that are cut off, changed or of another plan or part are refused: they have fingerprints.
  * They are read in place, and only where they are needed: they may be a file in memory (mmap). */
 typedef struct ahd_bytes
 {

@@ -107,6 +107,20 @@ public:
     withThreads(work);
     ahd::check(progress.finish() ? Status::Ok : Status::Cancelled);
   }
+  /// The same for a visit: one that fails has no output.
+  template <typename Work>
+  void visitTiles(const Work& work)
+  {
+    try
+    {
+      apart(work);
+    }
+    catch (...)
+    {
+      tiles_.clearOutput();
+      throw;
+    }
+  }
 
   /// Refines the result, which keeps it. Refuses what findRefineFault() finds, and more.
   const RefinedMesh& refine(CheckedMemory& checked, const RefineRequest& request);

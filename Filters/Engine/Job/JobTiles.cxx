@@ -74,6 +74,7 @@ std::size_t JobTiles::checkedLeaf(std::uint64_t leaf) const
 
 void JobTiles::begin(const double* bounds)
 {
+  const ScopedFloatingPoint asAssumed;
   const Bounds guess = boundsOf(bounds, "The guess of the bounds");
   *this = JobTiles();
   counter_ = std::make_unique<TileCounter>(guess);
@@ -114,6 +115,30 @@ bool JobTiles::endPass(std::uint64_t most, const double* extent)
   return false;
 }
 
+namespace
+{
+
+TileTables tablesOf(const TilePlan& plan)
+{
+  TileTables tables;
+  tables.plan = plan.write();
+  for (std::size_t k = 0; k != plan.leaves(); ++k)
+  {
+    const Bounds& b = plan.box(k);
+    tables.counts.push_back(static_cast<std::int64_t>(plan.leaf(k).count));
+    tables.boxes.insert(tables.boxes.end(), { b.xmin, b.xmax, b.ymin, b.ymax });
+  }
+  for (const std::size_t parent : plan.parents())
+  {
+    tables.parents.push_back(parent == plan.parts() ? -1 : static_cast<std::int64_t>(parent));
+  }
+  const Bounds& all = plan.facts().bounds;
+  tables.bounds = { all.xmin, all.xmax, all.ymin, all.ymax };
+  return tables;
+}
+
+} // namespace
+
 void JobTiles::take(TileFacts&& facts)
 {
   for (const TileLeaf& leaf : facts.leaves)
@@ -125,23 +150,10 @@ void JobTiles::take(TileFacts&& facts)
           std::to_string(kMaximumPoints) + ".");
     }
   }
+  auto visits = std::make_unique<TileVisits>(std::move(facts));
+  tables_ = tablesOf(visits->plan());
+  visits_ = std::move(visits);
   output_ = TileOutput();
-  visits_ = std::make_unique<TileVisits>(std::move(facts));
-  const TilePlan& made = plan();
-  tables_ = TileTables();
-  tables_.plan = made.write();
-  for (std::size_t k = 0; k != made.leaves(); ++k)
-  {
-    const Bounds& b = made.box(k);
-    tables_.counts.push_back(static_cast<std::int64_t>(made.leaf(k).count));
-    tables_.boxes.insert(tables_.boxes.end(), { b.xmin, b.xmax, b.ymin, b.ymax });
-  }
-  for (const std::size_t parent : made.parents())
-  {
-    tables_.parents.push_back(parent == made.parts() ? -1 : static_cast<std::int64_t>(parent));
-  }
-  const Bounds& all = made.facts().bounds;
-  tables_.bounds = { all.xmin, all.xmax, all.ymin, all.ymax };
 }
 
 const TileTables& JobTiles::tables() const
@@ -160,12 +172,13 @@ void JobTiles::load(const GivenBytes& plan)
   {
     refuse(Reason::BadArray, "These bytes are no plan.");
   }
-  counter_.reset();
   take(std::move(facts));
+  counter_.reset();
 }
 
 void JobTiles::setLines(TileLines&& lines)
 {
+  const ScopedFloatingPoint asAssumed;
   TileFacts facts = plan().facts();
   facts.lines = std::move(lines);
   take(std::move(facts));

@@ -60,6 +60,7 @@ public:
 
   const TilePlan& plan() const { return visits().plan(); }
   const TileOutput& output() const { return output_; }
+  void clearOutput() { output_ = TileOutput(); }
   const TileTables& tables() const;
 
   void findLeaves(const GivenArray& points, std::int32_t* leaves, const Context& context) const;

@@ -380,6 +380,9 @@ static void expect_cancelling(tiles* all)
   ahd_bytes again;
   CHECK_OK(all->job, ahd_set_progress(all->job, cancel, NULL));
   CHECK_STATUS(all->job, AHD_CANCELLED, ahd_tiles_visit(all->job, 0, &points, ids));
+  again = kept(all->job, "tiles_border");
+  CHECK(again.size == 0);
+  free((void*)again.data);
   CHECK_OK(all->job, ahd_set_progress(all->job, NULL, NULL));
   CHECK_OK(all->job, ahd_tiles_visit(all->job, 0, &points, ids));
   again = kept(all->job, "tiles_border");

@@ -2,6 +2,9 @@
 //
 // What was kept and has changed is refused; a plan is the same whatever a host program has set;
 // lines that fail leave the plan as it was.
+#include "HostModes.h"
+#include "Job/JobTiles.h"
+#include "OwnMemory.h"
 #include "TilesRun.h"
 
 #include <gtest/gtest.h>
@@ -122,6 +125,78 @@ TEST_F(TilesBytes, ChangedSharesAreRefused)
         }
         ASSERT_GT(refused, 0u) << "node " << node << " " << bit;
       });
+  }
+}
+
+// ------------------------------------------------------------------------- of jobs, and their
+// plans
+
+GivenArray given(const std::vector<Point>& points)
+{
+  return { points.data(), kFloat64, 2, std::int64_t(points.size()), sizeof(Point), sizeof(double) };
+}
+
+BlockBytes planOf(const std::vector<Point>& points, JobTiles& tiles)
+{
+  const double extent[] = { -0.7, 1.9, -0.3, 1.1 };
+  tiles.begin(nullptr);
+  do
+  {
+    tiles.count(given(points), {});
+  } while (tiles.endPass(40, extent));
+  return tiles.tables().plan;
+}
+
+TEST(TilesOfJobs, ModesOfAHostChangeNoPlan)
+{
+  const std::vector<Point> points = makePoints(Distribution::Utm, 500, 1);
+  JobTiles expected;
+  planOf(points, expected);
+  expected.setLines(linesAmong(points));
+  for (const HostMode& mode : hostModes())
+  {
+    enter(mode);
+    JobTiles tiles;
+    planOf(points, tiles);
+    tiles.setLines(linesAmong(points));
+    leaveHostMode();
+    EXPECT_EQ(tiles.tables().plan, expected.tables().plan) << mode.name;
+    EXPECT_EQ(tiles.tables().boxes, expected.tables().boxes) << mode.name;
+    for (std::size_t k = 0; k != expected.plan().parts(); ++k)
+    {
+      const Bounds a = tiles.plan().reach(k), b = expected.plan().reach(k);
+      EXPECT_TRUE(a.xmin == b.xmin && a.xmax == b.xmax && a.ymin == b.ymin && a.ymax == b.ymax)
+        << mode.name;
+    }
+  }
+}
+
+/// Where memory runs out, there is the plan of before.
+TEST(TilesOfJobs, LinesThatFailLeaveThePlan)
+{
+  const std::vector<Point> points = makePoints(Distribution::Uniform, 500, 1);
+  JobTiles tiles;
+  const BlockBytes plan = planOf(points, tiles);
+  const std::size_t leaves = tiles.plan().leaves();
+  bool isDone = false;
+  for (std::size_t k = 1; !isDone; ++k)
+  {
+    TileLines lines = linesAmong(points);
+    account.allocations = 0;
+    account.failsOnce = true;
+    account.failAt = k;
+    try
+    {
+      tiles.setLines(std::move(lines));
+      isDone = true;
+    }
+    catch (const std::bad_alloc&)
+    {
+    }
+    account.failAt = 0;
+    ASSERT_EQ(tiles.plan().hasLines(), isDone) << "allocation " << k;
+    ASSERT_EQ(tiles.tables().plan == plan, !isDone) << "allocation " << k;
+    ASSERT_EQ(tiles.tables().boxes.size(), 4 * leaves) << "allocation " << k;
   }
 }
 
