@@ -178,7 +178,8 @@ def area_of(backend, triangulation, values, given, source, surface):
         points = coordinates(backend, given.GetPoints())
         return box_of(points, skipped_of(given, len(points)))
     # Of what is done to the points, that alone which says where they are.
-    asked._values.update(MemoryLimit=0, Tolerance=0.0, CrossingMode=0, SourceHeights=0, InsertionLimit=1)
+    asked._values.update(MemoryLimit=0, Tolerance=0.0, CrossingMode=0, SourceHeights=0, InsertionLimit=1,
+                         MaximumError=0.0, MaximumNumberOfVertices=0)
     only_points = source and held_points(backend, source)
     execution = Execution(backend, asked, given, only_points)
     execution.unfitted = surface.added if surface else 0

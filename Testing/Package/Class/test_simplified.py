@@ -4,7 +4,7 @@
 import math
 
 from classtests import (Case, Filter, Said, array, model, run, run_tests, source, tested_class, triangles,
-                        values_of)
+                        values_of, vtk)
 from simplifiedcases import hills
 
 Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
@@ -101,6 +101,24 @@ class KeptPointsTest(Case):
         valued = [(a, b) for a, b in zip(*found) if a == a and b == b]
         self.assertGreater(len(valued), 300)
         self.assertLess(max(abs(a - b) for a, b in valued), 1e-9)
+
+    def test_a_raster_around_points_that_are_moved_or_added(self):
+        """Where it lies is found before there is a surface."""
+        turned = vtk("vtkCommonTransforms").vtkTransform()
+        turned.RotateX(10)
+        for settings in ({"ProjectionPlaneMode": 2}, {"Transform": turned, "ProjectionPlaneMode": 1},
+                         {"BoundingTriangulation": 1}):
+            rasters = []
+            for simplifying in ({"MaximumError": BOUND}, {"MaximumNumberOfVertices": 50}, {}):
+                made = Interpolation()
+                said = Said(made)
+                for name, value in dict(settings, **simplifying).items():
+                    getattr(made.GetTriangulation(), "Set" + name)(value)
+                made.SetInputData(hills())
+                made.Update()
+                self.assertSaid(said)
+                rasters.append((made.GetOutput().GetOrigin(), made.GetOutput().GetSpacing()))
+            self.assertEqual(rasters, [rasters[-1]] * 3, settings)
 
     def test_its_plane_is_that_of_points_of_the_input(self):
         """Not of added points, of which it has some: as if all that were added were still there."""
