@@ -70,8 +70,9 @@ def spread(values: np.ndarray, corners: np.ndarray, weights: np.ndarray) -> np.n
     """Sums of rows of `values` times weights, always in the same order."""
     at = np.where(corners < 0, corners[:, :1], corners)
     shape = (-1,) + (1,) * (values.ndim - 1)
-    parts = [values[at[:, k]] * weights[:, k].reshape(shape) for k in range(3)]
-    made: np.ndarray = parts[0] + parts[1] + parts[2]
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):  # infinite and huge values
+        parts = [values[at[:, k]] * weights[:, k].reshape(shape) for k in range(3)]
+        made: np.ndarray = parts[0] + parts[1] + parts[2]
     return made
 
 

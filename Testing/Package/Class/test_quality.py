@@ -150,6 +150,20 @@ class QualityMeshTest(Case):
         self.assertEqual(points.GetArray("Vector").GetNumberOfTuples(), count)
         self.assertEqual([points.GetAbstractArray("Names").GetValue(k) for k in (7, 8)], ["point 7", ""])
 
+    def test_infinite_values(self):
+        """NumPy has nothing to say of them."""
+        data = cloud(SQUARE)
+        data.GetPointData().AddArray(array("vtkDoubleArray", "Huge", [math.inf, 1e308, -math.inf, 0.0] * 2))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            made, said = meshed(data, source(**PLATE), MinimumAngle=30)
+            self.assertSaid(said)
+            mesh = delaunay(np.array(SQUARE, float), lines=PLATE["lines"], loops=PLATE["polygons"],
+                            fill_rule="even_odd").refine(30)
+            values = mesh.interpolate(np.array([math.inf, 1e308, -math.inf, 0.0] * 2))
+        self.assertTrue(any(value != value for value in values))
+        self.assertEqual(str(numbers(made.GetOutput(0).GetPointData(), "Huge")), str(values.tolist()))
+
     def test_floats_duplicates_and_hidden_points(self):
         xyz = SQUARE + [(0, 0, 5), (4, 1, 0), (1, 4, 0)]
         data = cloud(xyz, core.VTK_FLOAT)
