@@ -442,8 +442,8 @@ def known_gathered_cases(ranks):
                   dict(everything, Alpha=0.1, AlphaLines=True, AlphaVerts=True, MaximumEdgeLength=0.3), "Alpha"),
         "simplified": (with_sources(pieces(lattice(300, 12), ranks), 3),
                        dict(everything, MaximumError=0.2, SecondPass=True), "MaximumError"),
-        "simplified by values": (with_sources(pieces(few, ranks), 3), dict(
-            SourceMode=1, MaximumError=3.0, ValueArrayName="Float", WeightArrayName="Byte", KeepArrayName="Bit"),
+        "simplified by values": (with_own_points(pieces(few, ranks)), dict(
+            coordinates, MaximumError=3.0, ValueArrayName="Float", WeightArrayName="Byte", KeepArrayName="Bit"),
             "MaximumError"),
         "simplified to a number": (pieces(few, ranks), dict(everything, MaximumNumberOfVertices=60),
                                    "MaximumNumberOfVertices"),
