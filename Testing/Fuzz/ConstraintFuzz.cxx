@@ -14,6 +14,7 @@
 #include "OutlineJudge.h"
 #include "PartJudges.h"
 #include "SampleJudge.h"
+#include "TilesJudge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -237,6 +238,17 @@ void expectSameInBlocks(const Prepared& prepared)
     given);
 }
 
+/// The same triangles leaf by leaf.
+void expectSameInTiles(const Prepared& prepared, const std::vector<std::int32_t>& triples)
+{
+  std::vector<Point> points = prepared.points;
+  for (std::size_t k = 0; k < prepared.skip.size(); ++k)
+  {
+    points[k] = prepared.skip[k] != 0 ? Point{ std::nan(""), 0.0 } : points[k];
+  }
+  expectTiles(prepared.given, points, prepared.chains, prepared.rule, triples);
+}
+
 } // namespace
 
 void fuzzConstraints(const FuzzCase& given)
@@ -263,6 +275,7 @@ void fuzzConstraints(const FuzzCase& given)
   expectLiving(given, { prepared.points, prepared.skip, prepared.own }, prepared.rule);
   expectTheSame(prepared, filled);
   expectSameInBlocks(prepared);
+  expectSameInTiles(prepared, filled.triples);
   expectSameThroughC(given, { prepared.view(), prepared.chains, prepared.rule, filled.triples });
   if (given.layoutBit(7))
   {

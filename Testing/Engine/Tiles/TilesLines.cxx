@@ -19,27 +19,6 @@ namespace test
 namespace
 {
 
-/// The chains by places; where an id is no point's, by none.
-TileLines linesOf(const ConstraintCase& given, FillRule rule)
-{
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  const ConstraintView view = given.constraints.view();
-  TileLines lines;
-  lines.lines = view.lines;
-  lines.rule = std::uint64_t(rule);
-  for (std::size_t chain = 0; chain <= view.chains && view.chains != 0; ++chain)
-  {
-    lines.offsets.push_back(view.offsets[chain]);
-  }
-  for (std::int64_t k = 0; k != (view.chains == 0 ? 0 : lines.offsets.back()); ++k)
-  {
-    const std::int64_t id = view.ids[k];
-    const bool isPoint = id >= 0 && id < std::int64_t(given.points.size());
-    lines.corners.push_back(isPoint ? given.points[std::size_t(id)] : Point{ kNaN, kNaN });
-  }
-  return lines;
-}
-
 struct Stream
 {
   std::vector<std::int64_t> triangles;
@@ -66,7 +45,7 @@ void expectTheStream(const ConstraintCase& given, std::uint64_t most, const std:
     const Stream whole = streamOfOneRun(given, rule);
     TilesWay way;
     way.most = most;
-    way.lines = linesOf(given, rule);
+    way.lines = linesOf(given.points, given.constraints.view(), rule);
     TilesRun run(viewOf(given.points), way);
     ASSERT_EQ(run.fault, "") << name;
     Stream tiled;
@@ -244,7 +223,7 @@ void expectTheRaster(
   TilesWay way;
   way.most = most;
   way.extent = boundsOf(raster);
-  way.lines = linesOf(given, FillRule::Orientation);
+  way.lines = linesOf(given.points, given.constraints.view(), FillRule::Orientation);
   TilesRun run(viewOf(given.points), way);
   for (const std::int64_t method :
     { AHD_SAMPLE_LINEAR, AHD_SAMPLE_NATURAL_NEIGHBOR, AHD_SAMPLE_LAPLACE })

@@ -3,12 +3,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <thread>
 
 namespace ahd
 {
 namespace test
 {
+
+TileLines linesOf(const std::vector<Point>& points, const ConstraintView& chains, FillRule rule)
+{
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  TileLines lines;
+  lines.lines = chains.lines;
+  lines.rule = std::uint64_t(rule);
+  for (std::size_t chain = 0; chain <= chains.chains && chains.chains != 0; ++chain)
+  {
+    lines.offsets.push_back(chains.offsets[chain]);
+  }
+  for (std::int64_t k = 0; k != (chains.chains == 0 ? 0 : lines.offsets.back()); ++k)
+  {
+    const std::int64_t id = chains.ids[k];
+    const bool isPoint = id >= 0 && id < std::int64_t(points.size());
+    lines.corners.push_back(isPoint ? points[std::size_t(id)] : Point{ kNaN, kNaN });
+  }
+  return lines;
+}
 
 TilesRun::TilesRun(const PointView& points, const TilesWay& way)
   : way_(way)

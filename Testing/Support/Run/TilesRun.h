@@ -32,6 +32,9 @@ struct TilesWay
   std::function<Status(const std::function<Status()>&)> call = nullptr; ///< calls its argument
 };
 
+/// Chains by places; where an id is no point's, by none.
+TileLines linesOf(const std::vector<Point>& points, const ConstraintView& chains, FillRule rule);
+
 /// The points of a leaf with those of its list, as one run sees them.
 struct SecondVisit
 {
