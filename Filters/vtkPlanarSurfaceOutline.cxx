@@ -10,6 +10,7 @@
 #include "Output/vtkAHDRings.h"
 #include "Pipeline/vtkAHDCellsView.h"
 #include "Pipeline/vtkAHDContext.h"
+#include "Pipeline/vtkAHDMemoryLimit.h"
 #include "Pipeline/vtkAHDPieces.h"
 #include "Pipeline/vtkAHDPointsView.h"
 #include "Pipeline/vtkAHDProgress.h"
@@ -404,11 +405,9 @@ void vtkPlanarSurfaceOutline::MakeOutline(
   request.points.count = points.GetCount();
   request.cells = cells.GetCounts();
   const std::size_t counted = surface.HasNumbers() ? request.cells.cells : 0;
-  const ahd::OutlineMemory memory = {
-    static_cast<std::size_t>(std::min(this->MemoryLimit, VTK_TYPE_INT64_MAX / 1024) * 1024),
+  const ahd::OutlineMemory memory = { vtkAHDBytesOfLimit(this->MemoryLimit),
     surface.Bytes + points.EstimateBytes() + cells.EstimateBytes() + sizeof(double) * counted,
-    vtkAHDRingPointBytes(surface.Data)
-  };
+    vtkAHDRingPointBytes(surface.Data) };
   ahd::CheckedMemory checked;
   const auto open = [&]
   {

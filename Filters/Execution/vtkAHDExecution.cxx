@@ -7,6 +7,7 @@
 #include "Output/vtkAHDPointOutput.h"
 #include "Output/vtkAHDSurface.h"
 #include "Output/vtkAHDVoronoi.h"
+#include "Pipeline/vtkAHDMemoryLimit.h"
 
 #include "vtkAbstractTransform.h"
 #include "vtkPointData.h"
@@ -61,10 +62,7 @@ std::size_t vtkAHDExecution::EstimateLent() const
 /// Are there not too many points, and is there memory for it all, as far as that is known before?
 bool vtkAHDExecution::FitsInMemory(ahd::Run& run)
 {
-  // Of estimates whole KiB are compared with the limit.
-  constexpr vtkTypeInt64 kPlenty = vtkTypeInt64(1) << 50;
-  const auto kibibytes = static_cast<std::size_t>(std::min(this->Settings.MemoryLimit, kPlenty));
-  const std::size_t limit = kibibytes > 0 ? 1024 * kibibytes + 1023 : 0;
+  const std::size_t limit = vtkAHDBytesOfLimit(this->Settings.MemoryLimit);
   vtkAHDOutputMemory& outputs = this->Context.GetOutputMemory();
   if (limit > 0 && run.estimate() + outputs.GetBytes() > limit)
   {

@@ -9,6 +9,7 @@
 #include "Output/vtkAHDSurface.h"
 #include "Pipeline/vtkAHDArray.h"
 #include "Pipeline/vtkAHDAttributes.h"
+#include "Pipeline/vtkAHDMemoryLimit.h"
 #include "Pipeline/vtkAHDOutputArrays.h"
 #include "Pipeline/vtkAHDSay.h"
 
@@ -187,8 +188,7 @@ bool vtkAHDRefineExecution::Refine(ahd::RunResult& made, vtkPolyData* given, std
       this->Filter, "" << ahd::refineFaultText(request, fault, at) << " Nothing was computed.");
     return false;
   }
-  const auto limit = static_cast<std::size_t>(
-    std::min(this->Settings.MemoryLimit, VTK_TYPE_INT64_MAX / 1024) * 1024);
+  const std::size_t limit = vtkAHDBytesOfLimit(this->Settings.MemoryLimit);
   const ahd::RefineInput input = this->ToRefine(made);
   ahd::CheckedMemory checked;
   const ahd::Status status = ahd::refineWithin(

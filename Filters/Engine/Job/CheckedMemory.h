@@ -7,6 +7,7 @@
 #include "Messages.h"
 
 #include <cstddef>
+#include <limits>
 
 namespace ahd
 {
@@ -27,7 +28,8 @@ struct CheckedMemory
 
   /// Ok, or OutOfMemory: more is needed than allowed with these bytes.
   Status need(std::size_t bytes);
-  /// Returns work(), which may request what is left. @pre nothing was refused
+  /// Returns work(), which may request what is left; the limit ends with it. @pre nothing was
+  /// refused
   template <typename Work>
   Status request(AskedMemory& asked, const Work& work)
   {
@@ -35,6 +37,7 @@ struct CheckedMemory
     const Status status = work();
     needed += asked.most();
     isRefused = status == Status::OutOfMemory && asked.wasRefused();
+    asked.limitTo(std::numeric_limits<std::size_t>::max());
     return status;
   }
   /// Those of a refusal, or of running out. `doing`: a word of Catalogue.h; `of`: how many things.

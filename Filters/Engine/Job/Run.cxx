@@ -197,8 +197,8 @@ bool Run::mayAsk() const
     counts_.surface.count > 0 || counts_.sourcePoints.count > 0;
 }
 
-/// Calls a function that requests memory while it runs, up to all that is available. `asked`: of
-/// the report.
+/// Calls a function that requests memory while it runs, up to all that is available; the limit ends
+/// with it. `asked`: of the report.
 Status Run::withAsking(std::size_t& asked, const std::function<Status()>& call)
 {
   AskedMemory& memory = progress_->asked();
@@ -213,6 +213,7 @@ Status Run::withAsking(std::size_t& asked, const std::function<Status()>& call)
   const Status status = call();
   asked = memory.most();
   report_.isRefused = status == Status::OutOfMemory && memory.wasRefused();
+  memory.limitTo(std::numeric_limits<std::size_t>::max());
   return status;
 }
 

@@ -174,7 +174,8 @@ class _Outlining:
     def _outline(self, surface, job, report):
         offsets, ids = ids_of(self._backend, surface.polygons, "polygons")
         limit = self._values["MemoryLimit"]
-        job.set(memory_limit=min(limit * 1024, 2**62), other_memory_per_point=surface.bytes_per_point())
+        job.set(memory_limit=min(limit * 1024 + 1023, 2**62) if limit else 0,  # all of its last KiB
+                other_memory_per_point=surface.bytes_per_point())
         job.set_progress(Progress(self))
         for name, array in (("points", coordinates(self._backend, surface.points.GetPoints())), ("cells", ids),
                             ("cell_offsets", offsets), ("cell_groups", None if ids is None else surface.numbers())):

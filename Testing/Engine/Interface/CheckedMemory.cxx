@@ -39,6 +39,7 @@ TEST(CheckedMemory, WorkRequestsWhatIsLeft)
                   return status;
                 }),
       status);
+    EXPECT_TRUE(asked.take(1000)); // the limit is that of the work
     EXPECT_EQ(checked.needed, 40 + bytes);
     EXPECT_EQ(checked.isRefused, status != Status::Ok);
     const Facts facts = checked.facts(status, "editing", { "points", 7 });

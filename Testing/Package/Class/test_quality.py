@@ -2,6 +2,7 @@
 """vtkAdaptiveHilbertQualityMesh2D, compiled and in Python: the bytes of made.refine() for NumPy, data, messages."""
 
 import math
+import re
 import warnings
 
 import numpy as np
@@ -253,6 +254,24 @@ class QualityMeshTest(Case):
             r"or set MemoryLimit to \d+ or more \(KiB\)", many,
             triangulation={"MemoryLimit": least + 3000}, MaximumLength=0.001)
         self.assertGreater(made.GetMemoryEstimate(), least + 3000)
+
+    def test_the_limit_that_is_named_is_enough(self):
+        """To come further: there is another refusal, of more memory, or a mesh."""
+        many = cloud([(x, y, 0) for x, y in make_points(uniform, 3000)])
+        wishes = {"MaximumArea": 1e-5, "MaximumNumberOfAddedPoints": 500}
+        whole, _ = meshed(many, **wishes)
+        limit, stages = 1, []
+        while True:
+            made, said = meshed(many, triangulation={"MemoryLimit": limit}, **wishes)
+            if not said.errors:
+                break
+            more = int(re.search(r"or set MemoryLimit to (\d+) or more", said.errors[0])[1])
+            self.assertGreater(more, limit, said.errors)
+            stages.append(said.errors[0].split()[0])
+            limit = more
+        self.assertEqual((stages[0], set(stages)), ("Triangulating", {"Triangulating", "Refining"}))
+        self.assertEqual((limit, made.GetMemoryEstimate()), (whole.GetMemoryEstimate(),) * 2)
+        self.assertEqual(triangles(made.GetOutput(0)), triangles(whole.GetOutput(0)))
 
     def test_it_is_aborted(self):
         for at in (0.0, 0.3, 0.9):
