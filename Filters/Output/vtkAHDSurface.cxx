@@ -161,7 +161,7 @@ std::vector<IdArray*> CornersOf(vtkPolyData* output)
 /// These points, with their data.
 void TakePoints(vtkPolyData* output, vtkIdList* ids)
 {
-  vtkDataArray* const all = output->GetPoints()->GetData();
+  const vtkSmartPointer<vtkDataArray> all = output->GetPoints()->GetData(); // it is replaced
   const auto places = vtkSmartPointer<vtkDataArray>::Take(all->NewInstance());
   places->SetNumberOfComponents(3);
   places->SetNumberOfTuples(ids->GetNumberOfIds());
