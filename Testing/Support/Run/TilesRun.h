@@ -57,7 +57,11 @@ public:
   Status status = Status::Ok;
   std::string fault;            ///< refused by a check
   std::size_t borderPoints = 0; ///< of all leaves
-  bool isFine() const { return status == Status::Ok && fault.empty(); }
+  bool isFine() const
+  {
+    const std::lock_guard<std::mutex> lock(telling_);
+    return status == Status::Ok && fault.empty();
+  }
 
   const TileVisits& visits() const { return *visits_; }
   const TilePlan& plan() const { return visits_->plan(); }
@@ -92,7 +96,7 @@ private:
   std::vector<std::vector<double>> xyz_;            ///< of each leaf
   std::vector<std::vector<std::int64_t>> ids_;      ///< the same
   std::vector<BlockBytes> borders_, owns_, shares_; ///< of parts
-  std::mutex telling_;
+  mutable std::mutex telling_;
 };
 
 /// A raster of so many cells along a side around the points, with some beyond, its rows from above;
