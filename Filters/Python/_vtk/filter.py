@@ -10,7 +10,7 @@ from .blocks import Merged
 from .execution import SKIPPED, Execution, Progress, let_go
 from .lent import lent_of
 from .outputs import plane_transform
-from .vtkclass import Followers, Inputs, Pieces, build
+from .vtkclass import Followers, Inputs, Pieces, Source, build
 
 NAMES = ("vtkAdaptiveHilbertDelaunay2D", "vtkAdaptiveHilbertAlgorithm", "vtkPolyDataAlgorithm")
 
@@ -216,24 +216,7 @@ class _Ports:
 
     def GetPolyDataInput(self, port=0):
         """The vtkPolyData at this input port, or None."""
-        found = self.GetInput(port)
-        return found if isinstance(found, self._backend.vtkPolyData) else None
-
-    def SetSourceData(self, source):
-        """The constraints: a vtkPolyData, whose lines become edges and whose polygons edges and loops that bound what
-        is kept; None: none."""
-        if source is not None and not isinstance(source, self._backend.vtkPolyData):
-            raise TypeError("SetSourceData argument 1: a vtkPolyData of %s is required, not %s" % (
-                self._backend.package, type(source).__name__))
-        self.SetInputDataObject(1, source)
-
-    def SetSourceConnection(self, output):
-        """The constraints as an output port of another filter."""
-        self.SetInputConnection(1, output)
-
-    def GetSource(self):
-        """The constraints, if they are one vtkPolyData."""
-        return self.GetPolyDataInput(1)
+        return self._given(port, "vtkPolyData")
 
 
 class _Ranks:
@@ -314,7 +297,7 @@ def make_class(backend):
 
     members = dict(settings.all_methods(), __doc__=ABOUT,
                    ComputeBestFittingPlane=staticmethod(_plane_computer(backend)))
-    parts = _Measures, _Executions, _Ports, _Ranks, _Transforms, Inputs, Followers, Pieces
+    parts = _Measures, _Executions, _Ports, _Ranks, _Transforms, Source, Inputs, Followers, Pieces
     made = build(backend, NAMES, parts, members, start, (2, 3))
     for name, member in settings.properties_of(made).items():
         setattr(made, name, member)

@@ -10,7 +10,7 @@ from .blocks import Merged
 from .columns import Columns
 from .interpolating import Interpolating, Stopped
 from .sampling import area_of, surface_of
-from .vtkclass import Followers, Inputs, Pieces, build
+from .vtkclass import Followers, Inputs, Pieces, Source, build
 
 NAMES = ("vtkAdaptiveHilbertInterpolation2D", "vtkAdaptiveHilbertInterpolationAlgorithm", "vtkDataSetAlgorithm")
 
@@ -68,6 +68,7 @@ class _Ports:
 
     KINDS = (("vtkCompositeDataSet", "vtkPointSet", "vtkTable"), ("vtkDataSet", "vtkCompositeDataSet"),
              ("vtkCompositeDataSet", "vtkPolyData"))
+    _source_port = 2
 
     def FillInputPortInformation(self, port, info):
         """The first type decides: a filter that takes composite data sets is not run for each block."""
@@ -81,16 +82,6 @@ class _Ports:
             info.Set(algorithm.INPUT_IS_OPTIONAL(), 1)
         return 1
 
-    def _give(self, port, name, kind, data):
-        if data is not None and not isinstance(data, getattr(self._backend, kind)):
-            raise TypeError("%s argument 1: a %s of %s is required, not %s" % (
-                name, kind, self._backend.package, type(data).__name__))
-        self.SetInputDataObject(port, data)
-
-    def _given(self, port, kind):
-        found = self.GetInput(port)
-        return found if isinstance(found, getattr(self._backend, kind)) else None
-
     def SetPlacesData(self, places):
         """The places: any vtkDataSet, whose points they are; None: a raster."""
         self._give(1, "SetPlacesData", "vtkDataSet", places)
@@ -102,18 +93,6 @@ class _Ports:
     def GetPlaces(self):
         """The places, if they are one vtkDataSet."""
         return self._given(1, "vtkDataSet")
-
-    def SetSourceData(self, source):
-        """The constraints: a vtkPolyData, as those of vtkAdaptiveHilbertDelaunay2D; None: none."""
-        self._give(2, "SetSourceData", "vtkPolyData", source)
-
-    def SetSourceConnection(self, output):
-        """The constraints as an output port of another filter."""
-        self.SetInputConnection(2, output)
-
-    def GetSource(self):
-        """The constraints, if they are one vtkPolyData."""
-        return self._given(2, "vtkPolyData")
 
     def GetOutput(self, port=0):
         """The vtkDataSet at this output port."""
@@ -365,7 +344,7 @@ def make_class(backend):
     members = dict(raster_settings.all_methods(), __doc__=ABOUT)
     members.update(("Get%sOutput" % name, _output_getter(backend, name)) for name in (
         "ImageData", "PolyData", "RectilinearGrid", "StructuredGrid", "StructuredPoints", "UnstructuredGrid"))
-    parts = _Measures, _Executions, _Ports, Triangulations, Inputs, Followers, Pieces
+    parts = _Measures, _Executions, _Ports, Triangulations, Source, Inputs, Followers, Pieces
     made = build(backend, NAMES, parts, members, start, (3, 1), "vtkDataObject", begin)
     for name, member in raster_settings.all_properties(made).items():
         setattr(made, name, member)

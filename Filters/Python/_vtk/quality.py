@@ -14,7 +14,7 @@ from .execution import Execution, Progress, let_go
 from .interpolation import Triangulations
 from .outputs import IDS_NAME, Surface
 from .pointdata import RefinedData
-from .vtkclass import Followers, Inputs, Pieces, build
+from .vtkclass import Followers, Inputs, Pieces, Source, build
 
 NAMES = ("vtkAdaptiveHilbertQualityMesh2D", "vtkAdaptiveHilbertQualityMeshAlgorithm", "vtkPolyDataAlgorithm")
 MEASURES = {name: value for name, value, _about in table.QUALITY_MEASURES}
@@ -209,22 +209,6 @@ class _Executions:
             info.Set(algorithm.INPUT_IS_OPTIONAL(), 1)
         return 1
 
-    def SetSourceData(self, source):
-        """The constraints: a vtkPolyData, as those of vtkAdaptiveHilbertDelaunay2D; None: none."""
-        if source is not None and not isinstance(source, self._backend.vtkPolyData):
-            raise TypeError("SetSourceData argument 1: a vtkPolyData of %s is required, not %s" % (
-                self._backend.package, type(source).__name__))
-        self.SetInputDataObject(1, source)
-
-    def SetSourceConnection(self, output):
-        """The constraints as an output port of another filter."""
-        self.SetInputConnection(1, output)
-
-    def GetSource(self):
-        """The constraints, if they are one vtkPolyData."""
-        found = self.GetInput(1)
-        return found if isinstance(found, self._backend.vtkPolyData) else None
-
     def _ranks_are_alone(self):
         return self._is_alone(self._triangulation and self._triangulation.GetController())
 
@@ -323,7 +307,7 @@ def make_class(backend):
     members.update(settings.getters_of_texts(table.QUALITY_TEXTS, MEASURES))
     for setting in settings.QUALITY:
         members.update(settings.methods_of(setting))
-    parts = _Executions, Triangulations, Inputs, Followers, Pieces
+    parts = _Executions, Triangulations, Source, Inputs, Followers, Pieces
     made = build(backend, NAMES, parts, members, start, (2, 2), begin=begin)
     names = [setting.name for setting in settings.QUALITY] + list(MEASURES) + list(table.QUALITY_TEXTS)
     for name, member in settings.properties_of(

@@ -159,6 +159,36 @@ class Inputs:
         return self.GetInputDataObject(port, 0) if self.GetNumberOfInputConnections(port) > 0 else None
 
 
+    def _give(self, port, name, kind, data):
+        if data is not None and not isinstance(data, getattr(self._backend, kind)):
+            raise TypeError("%s argument 1: a %s of %s is required, not %s" % (
+                name, kind, self._backend.package, type(data).__name__))
+        self.SetInputDataObject(port, data)
+
+    def _given(self, port, kind):
+        found = self.GetInput(port)
+        return found if isinstance(found, getattr(self._backend, kind)) else None
+
+
+class Source:
+    """Constraints at an input port; mixed into a class that has Inputs."""
+
+    _source_port = 1
+
+    def SetSourceData(self, source):
+        """The constraints: a vtkPolyData, whose lines become edges and whose polygons edges and loops that bound what
+        is kept; None: none."""
+        self._give(self._source_port, "SetSourceData", "vtkPolyData", source)
+
+    def SetSourceConnection(self, output):
+        """The constraints as an output port of another filter."""
+        self.SetInputConnection(self._source_port, output)
+
+    def GetSource(self):
+        """The constraints, if they are one vtkPolyData."""
+        return self._given(self._source_port, "vtkPolyData")
+
+
 class Outputs:
     """Mixed into a class that has _backend."""
 
