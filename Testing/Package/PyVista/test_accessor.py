@@ -325,8 +325,8 @@ class DelaunayTest(unittest.TestCase):
                 ({"rim": ""}, "rim='': it is one of 'automatic', 'convex_hull', 'trimmed'"),
                 ({"duplicates": "last"}, "duplicates='last': it is one of 'first', 'lowest_z', 'highest_z', 'mean_z'"),
                 ({"heights": "zero"}, "heights='zero': it is one of 'own', 'surface', 'mixed'"),
-                ({"arrays": ["fate"]}, "arrays: no 'fate'; there are 'status', 'rank', 'constraint_edges', "
-                                       "'regions', 'neighbors'"),
+                ({"arrays": ["fate"]}, "arrays: no 'fate'; there are 'status', 'errors', 'rank', "
+                                       "'constraint_edges', 'regions', 'neighbors'"),
                 ({"edge_source": mesh, "constraints": mesh},
                  "edge_source refers to the mesh's points, constraints have their own: give one of them"),
                 ({"threads": 1025}, "threads must be from 0 to 1024, not 1025"),

@@ -258,7 +258,8 @@ class ReadmeTest(unittest.TestCase):
         self.assertIn("pyvista.Line(", shown)
         mesh = slope()
         coastline = pyvista.PolyData(mesh.points[:3], lines=[3, 0, 1, 2])
-        names = dict(mesh=mesh, coastline=coastline, start=(1, 1, 0), end=(99, 99, 0))
+        shore = pyvista.PolyData([(10.0, 10, 0), (90, 10, 0), (90, 90, 0), (10, 90, 0)], faces=[4, 0, 1, 2, 3])
+        names = dict(mesh=mesh, coastline=coastline, shore=shore, start=(1, 1, 0), end=(99, 99, 0))
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             exec(compile(textwrap.dedent(shown), str(README), "exec"), names)
