@@ -94,4 +94,4 @@ def write(path: str, mosaic: Mosaic, raster: Raster, crs: Any) -> None:
             os.remove(made)
         if isinstance(error, (BadOptions, MemoryError)):
             raise
-        raise WriteFailed("%s cannot be written: %s" % (path, (str(error).splitlines() or [error])[0])) from error
+        raise WriteFailed("%s cannot be written: %s" % (path, str(error).partition("\n")[0])) from error
