@@ -70,18 +70,6 @@ class _Ports:
              ("vtkCompositeDataSet", "vtkPolyData"))
     _source_port = 2
 
-    def FillInputPortInformation(self, port, info):
-        """The first type decides: a filter that takes composite data sets is not run for each block."""
-        if port > 2:
-            return self._describe_followed(info)
-        algorithm = self._backend.vtkAlgorithm
-        info.Remove(algorithm.INPUT_REQUIRED_DATA_TYPE())
-        for kind in self.KINDS[port]:
-            info.Append(algorithm.INPUT_REQUIRED_DATA_TYPE(), kind)
-        if port > 0:
-            info.Set(algorithm.INPUT_IS_OPTIONAL(), 1)
-        return 1
-
     def SetPlacesData(self, places):
         """The places: any vtkDataSet, whose points they are; None: a raster."""
         self._give(1, "SetPlacesData", "vtkDataSet", places)

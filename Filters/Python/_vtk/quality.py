@@ -197,18 +197,6 @@ class _Executions:
 
     KINDS = ("vtkCompositeDataSet", "vtkPointSet", "vtkTable"), ("vtkCompositeDataSet", "vtkPolyData")
 
-    def FillInputPortInformation(self, port, info):
-        """The first type decides: a filter that takes composite data sets is not run for each block."""
-        if port > 1:
-            return self._describe_followed(info)
-        algorithm = self._backend.vtkAlgorithm
-        info.Remove(algorithm.INPUT_REQUIRED_DATA_TYPE())
-        for kind in self.KINDS[port]:
-            info.Append(algorithm.INPUT_REQUIRED_DATA_TYPE(), kind)
-        if port == 1:
-            info.Set(algorithm.INPUT_IS_OPTIONAL(), 1)
-        return 1
-
     def _ranks_are_alone(self):
         return self._is_alone(self._triangulation and self._triangulation.GetController())
 

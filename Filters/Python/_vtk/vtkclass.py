@@ -171,9 +171,21 @@ class Inputs:
 
 
 class Source:
-    """Constraints at an input port; mixed into a class that has Inputs."""
+    """Constraints at an input port; mixed into a class that has Inputs, Followers and KINDS, the types of each port."""
 
     _source_port = 1
+
+    def FillInputPortInformation(self, port, info):
+        """The first type decides: a filter that takes composite data sets is not run for each block."""
+        if port >= len(self.KINDS):
+            return self._describe_followed(info)
+        algorithm = self._backend.vtkAlgorithm
+        info.Remove(algorithm.INPUT_REQUIRED_DATA_TYPE())
+        for kind in self.KINDS[port]:
+            info.Append(algorithm.INPUT_REQUIRED_DATA_TYPE(), kind)
+        if port > 0:
+            info.Set(algorithm.INPUT_IS_OPTIONAL(), 1)
+        return 1
 
     def SetSourceData(self, source):
         """The constraints: a vtkPolyData, whose lines become edges and whose polygons edges and loops that bound what
