@@ -33,6 +33,11 @@ ahd::GivenTile tileOf(uint64_t leaf, const ahd_array* points, const int64_t* ids
   return { leaf, ahd::arrayOf(*points), ids };
 }
 
+ahd::GivenKept keptOf(const ahd_bytes* own, const ahd_bytes* shares, uint64_t count)
+{
+  return { bytesOf(own, 1)[0], bytesOf(shares, count) };
+}
+
 struct LineCounts
 {
   uint64_t lines, chains;
@@ -193,7 +198,7 @@ ahd_status ahd_tiles_triangles(ahd_job* job, uint64_t leaf, const ahd_array* poi
     [=](ahd::Job& own)
     {
       const ahd::GivenTile tile = tileOf(leaf, points, ids);
-      const ahd::GivenKept kept{ bytesOf(own_bytes, 1)[0], bytesOf(shares, count) };
+      const ahd::GivenKept kept = keptOf(own_bytes, shares, count);
       own.visitTiles(
         [&](const ahd::Context& context) { own.tiles().makeTriangles(tile, kept, context); });
     });
@@ -217,7 +222,7 @@ ahd_status ahd_tiles_surface(ahd_job* job, uint64_t leaf, const ahd_array* point
     [=](ahd::Job& own)
     {
       const ahd::GivenTile tile = tileOf(leaf, points, ids);
-      const ahd::GivenKept kept{ bytesOf(own_bytes, 1)[0], bytesOf(shares, count) };
+      const ahd::GivenKept kept = keptOf(own_bytes, shares, count);
       const double longest = own.settings[ahd::DoubleSetting::MaximumEdgeLength];
       own.visitTiles([&](const ahd::Context& context)
         { own.tiles().makeSurface(tile, kept, longest, context); });
