@@ -8,13 +8,10 @@
 
 import os
 import struct
-import subprocess
-import sys
-import unittest
 
 import numpy as np
 from tilesupport import TilesTest, kinds, needs_raster, raster_of, read_piece, tiles
-from with_scipy import reached
+from with_scipy import reached, run_with
 
 from adaptivehilbertdelaunay.tiles import _read
 
@@ -126,16 +123,9 @@ class LasTest(TilesTest):
             self.refused(self.at(name), said)
 
 
-def main():
-    needed = "import laspy, lazrs, rasterio, numpy"
-    python = reached(os.path.abspath(sys.argv[1]), needed, ("laspy[lazrs]", "rasterio"))
-    if python is None:
-        sys.exit(1 if os.environ.get("CI") == "true" else 77)
-    sys.exit(subprocess.run([python, __file__, "--here"], check=False).returncode)
+def with_readers(folder):
+    return reached(folder, "import laspy, lazrs, rasterio, numpy", ("laspy[lazrs]", "rasterio"))
 
 
 if __name__ == "__main__":
-    if "--here" in sys.argv:
-        sys.argv.remove("--here")
-        unittest.main()
-    main()
+    run_with(with_readers, __file__)

@@ -42,6 +42,18 @@ def reached(folder, check="import scipy", packages=("scipy<1.12",), options=("--
     return python
 
 
+def run_with(python_in, file):
+    """Runs the tests of a file with the Python in the folder that the command names, and exits as they do. Without that
+    Python the exit code is 77, skipped; in continuous integration 1."""
+    if "--here" in sys.argv:
+        sys.argv.remove("--here")
+        unittest.main()
+    python = python_in(os.path.abspath(sys.argv[1]))
+    if python is None:
+        sys.exit(1 if os.environ.get("CI") == "true" else 77)
+    sys.exit(subprocess.run([python, file, "--here"], check=False).returncode)
+
+
 class ScipyTest(unittest.TestCase):
     @staticmethod
     def canonical(triangles):
@@ -94,15 +106,5 @@ class ScipyTest(unittest.TestCase):
             np.testing.assert_allclose(ours(places * [1, 1e4]), theirs(places * [1, 1e4]), atol=1e-9)
 
 
-def main():
-    python = reached(os.path.abspath(sys.argv[1]))
-    if python is None:
-        sys.exit(1 if os.environ.get("CI") == "true" else 77)
-    sys.exit(subprocess.run([python, __file__, "--here"], check=False).returncode)
-
-
 if __name__ == "__main__":
-    if "--here" in sys.argv:
-        sys.argv.remove("--here")
-        unittest.main()
-    main()
+    run_with(reached, __file__)
