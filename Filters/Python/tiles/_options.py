@@ -155,12 +155,16 @@ class Result:
     skipped : dict
         Files that were left out, and why.
     seconds : float
+        Of all.
+    steps : dict
+        Seconds of each step that this run has done; those that were planned are in `plan.steps`.
     """
 
     plan: Plan
     outputs: List[str]
     skipped: Dict[str, str]
     seconds: float
+    steps: Dict[str, float]
 
 
 def check_degrees(raster: Raster, bounds: Tuple[float, float, float, float], system: Any) -> None:

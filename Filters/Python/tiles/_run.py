@@ -40,14 +40,21 @@ class _Told:
     def __init__(self, progress: Optional[Progress]) -> None:
         self.progress = progress
         self.planned: Dict[str, float] = {}  # seconds of the steps, in their order
+        self.spent: Dict[str, float] = {}  # and what those that ended have taken
         self.step, self.of, self.done = "", 1, 0
         self._begin = self._first = 0.0
 
     def begin(self, step: str, of: int, before: int = 0) -> None:
         """`before`: what an earlier run has done."""
+        self.end()
         self.step, self.of, self.done = step, max(1, of), before
         self._begin, self._first = time.monotonic(), before / self.of
         self(0)
+
+    def end(self) -> None:
+        """Of the step."""
+        if self.step:
+            self.spent[self.step] = time.monotonic() - self._begin
 
     def __call__(self, more: int) -> None:
         self.done += more
@@ -110,8 +117,9 @@ class Run:
         self._check_room(planned)
         if not options.plan_only:
             self._make(leaves, counted, planned)
+        self.tell.end()
         outputs = [] if options.plan_only else options.outputs
-        return Result(planned, outputs, points.skipped, time.monotonic() - self.begin)
+        return Result(planned, outputs, points.skipped, time.monotonic() - self.begin, self.tell.spent)
 
     # --- before the work ---
 

@@ -193,9 +193,11 @@ class ResumeTest(TilesTest):
 
     def test_progress(self):
         told = []
-        tiles.make([self.path], tin=self.at("a.pvtp"), leaf=100, progress=lambda *words: told.append(words))
+        made = tiles.make([self.path], tin=self.at("a.pvtp"), leaf=100, progress=lambda *words: told.append(words))
         steps = [step for step, fraction, _ in told if fraction == 1]
         self.assertEqual(list(dict.fromkeys(steps)), ["count", "scatter", "visit", "finish", "write"])
+        self.assertEqual(list(made.steps), list(dict.fromkeys(steps)))
+        self.assertTrue(0 < sum(made.steps.values()) < made.seconds)
         self.assertTrue(all(0 <= fraction <= 1 for _, fraction, _ in told))
         self.assertTrue(all(left is None for step, _, left in told if step == "count"))
         self.assertTrue(all(left >= 0 for step, _, left in told if step != "count"))
