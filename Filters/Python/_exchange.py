@@ -6,7 +6,7 @@ from __future__ import annotations
 import importlib
 import math
 import os
-from typing import TYPE_CHECKING, Any, Dict, Sequence, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Iterator, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
@@ -132,44 +132,52 @@ def _dtype_of(bands: np.ndarray, known: Sequence[str]) -> Any:
     return np.dtype(bands.dtype.name if bands.dtype.name in known else np.float64)
 
 
-def _options(dtype: Any, isBig: str) -> Dict[str, str]:
-    predictor = "3" if dtype.kind == "f" else "2"  # of numbers from those beside them
-    return {"COMPRESS": "DEFLATE", "PREDICTOR": predictor, "TILED": "YES", "BIGTIFF": isBig}
+class How(NamedTuple):
+    """A file is written, beside what it shows; its bytes are the same for any number of threads."""
+
+    noData: float = math.nan
+    isBig: str = "IF_SAFER"  #: is it a BigTIFF?
+    threads: int = 1  #: that compress
+
+    def options(self, dtype: Any) -> Dict[str, str]:
+        predictor = "3" if dtype.kind == "f" else "2"  # of numbers from those beside them
+        return {"COMPRESS": "DEFLATE", "PREDICTOR": predictor, "TILED": "YES", "BIGTIFF": self.isBig,
+                "NUM_THREADS": str(self.threads)}  # fmt: skip
 
 
-def _pieces(bands: np.ndarray, dtype: Any) -> Any:
-    """Row, band (from 1) and numbers of each piece."""
+def _places(bands: Any) -> Iterator[Tuple[int, int, int]]:
+    """First row, rows and band (from 0) of each piece."""
     for row in range(0, len(bands), _ROWS):
         for band in range(bands.shape[2]):
-            yield row, band + 1, np.ascontiguousarray(bands[row : row + _ROWS, :, band], dtype)
+            yield row, min(_ROWS, len(bands) - row), band
 
 
-def _by_rasterio(rasterio: Any, path: str, bands: Any, place: Sequence[float], crs: Any, no_data: float = math.nan,
-                 isBig: str = "IF_SAFER") -> None:  # fmt: skip
+def _by_rasterio(rasterio: Any, path: str, bands: Any, place: Sequence[float], crs: Any, how: How = How()) -> None:
     """`bands`: an array (rows, columns, bands), or what has its shape, dtype and some rows of a band."""
     dtype = _dtype_of(bands, ("uint8", "uint16", "int16", "uint32", "int32", "float32", "float64"))
-    nodata = no_data if dtype.kind == "f" else None
-    options = {name.lower(): value for name, value in _options(dtype, isBig).items()}
+    nodata = how.noData if dtype.kind == "f" else None
+    options = {name.lower(): value for name, value in how.options(dtype).items()}
     rows, columns, count = bands.shape
     with rasterio.open(
         path, "w", driver="GTiff", width=columns, height=rows, count=count, dtype=dtype.name, nodata=nodata, crs=crs,
         transform=rasterio.Affine.from_gdal(*place), **options
     ) as made:  # fmt: skip
-        for row, band, piece in _pieces(bands, dtype):
-            made.write(piece, band, window=((row, row + len(piece)), (0, columns)))
-    with rasterio.open(path) as made:  # which is told of no error while a file is closed, as of a full disk
-        for row, band, piece in _pieces(bands, dtype):
-            made.read(band, window=((row, row + len(piece)), (0, columns)))
+        for row, some, band in _places(bands):
+            piece = np.ascontiguousarray(bands[row : row + some, :, band], dtype)
+            made.write(piece, band + 1, window=((row, row + some), (0, columns)))
+    # which is told of no error while a file is closed, as of a full disk
+    with rasterio.open(path, num_threads=how.threads) as made:
+        for row, some, band in _places(bands):
+            made.read(band + 1, window=((row, row + some), (0, columns)))
 
 
-def _by_gdal(gdal: Any, path: str, bands: Any, place: Sequence[float], crs: Any, no_data: float = math.nan,
-             isBig: str = "IF_SAFER") -> None:  # fmt: skip
+def _by_gdal(gdal: Any, path: str, bands: Any, place: Sequence[float], crs: Any, how: How = How()) -> None:
     types = {"uint8": gdal.GDT_Byte, "uint16": gdal.GDT_UInt16, "int16": gdal.GDT_Int16, "uint32": gdal.GDT_UInt32,
              "int32": gdal.GDT_Int32, "float32": gdal.GDT_Float32, "float64": gdal.GDT_Float64}  # fmt: skip
     dtype = _dtype_of(bands, tuple(types))
     gdal.UseExceptions()
     rows, columns, count = bands.shape
-    options = ["%s=%s" % option for option in _options(dtype, isBig).items()]
+    options = ["%s=%s" % option for option in how.options(dtype).items()]
     try:
         made = gdal.GetDriverByName("GTiff").Create(
             path, columns, rows, count, types[dtype.name], options)
@@ -177,9 +185,10 @@ def _by_gdal(gdal: Any, path: str, bands: Any, place: Sequence[float], crs: Any,
         if crs is not None:
             made.SetProjection(crs)
         for band in range(count) if dtype.kind == "f" else ():
-            made.GetRasterBand(band + 1).SetNoDataValue(no_data)
-        for row, band, piece in _pieces(bands, dtype):  # as bytes: GDAL's arrays need the NumPy it was built with
-            made.GetRasterBand(band).WriteRaster(0, row, columns, len(piece), piece.tobytes())
+            made.GetRasterBand(band + 1).SetNoDataValue(how.noData)
+        for row, some, band in _places(bands):  # as bytes: GDAL's arrays need the NumPy it was built with
+            piece = np.ascontiguousarray(bands[row : row + some, :, band], dtype)
+            made.GetRasterBand(band + 1).WriteRaster(0, row, columns, some, piece.tobytes())
         made.FlushCache()
     except RuntimeError as error:
         raise OSError("%s: %s" % (path, error)) from error

@@ -15,16 +15,19 @@ from .._interface import available_memory
 from ._errors import BadOptions, NoRoom
 from ._finish import CELLS
 from ._points import Counted
+from ._read import ROWS
+from ._work import IN_ORDER
 
 # Measured, as are the times (seconds a point or cell on one core); Filters/Python/Tiles.md has more.
-_BASE = 150e6  # bytes: Python, libraries, a chunk of points that is read
+_BASE = 150e6  # bytes: Python, libraries, a batch of points that is read
+_BATCH = 2.2 * ROWS  # for each byte of a point's record: a batch that is read ahead, or dealt, on several threads
 _LEAF = 250.0  # bytes for each point of a leaf that a thread is at work on
 _CELL = 22.0  # and for each of its cells
 _PIECE = 190.0  # and for each point of a piece of a TIN
 _SHARE = 300.0  # bytes of borders and shares for each sqrt(points) of a leaf
-_SCATTER, _VISIT, _FINISH, _TIN = 80e-9, 180e-9, 200e-9, 900e-9
-_CELLS = {"linear": 60e-9, "natural": 450e-9, "laplace": 450e-9, "nearest": 150e-9}
-_TIFF = 60e-9
+_SCATTER, _VISIT, _FINISH, _TIN = 60e-9, 210e-9, 230e-9, 900e-9
+_CELLS = {"linear": 70e-9, "natural": 450e-9, "laplace": 450e-9, "nearest": 150e-9}
+_MOSAIC, _TIFF = 20e-9, 50e-9
 
 
 @dataclass(frozen=True)
@@ -88,11 +91,12 @@ def planned(
     width = 8 if kind.dtype == "float64" else 4
     tin, at_once, borders = points * (kind.piece > 0), min(threads, leaves), float(_SHARE * np.sqrt(counts).sum())
     work = _LEAF * most + _CELL * min(CELLS, cells / leaves) + _PIECE * min(tin, max(most, 1.5 * kind.piece))
-    memory = _BASE + at_once * work + borders / math.sqrt(leaves)
+    dealt = _BATCH * kind.record * (2 + min(at_once, IN_ORDER)) * (threads > 1)
+    memory = _BASE + max(dealt, at_once * work + borders / math.sqrt(leaves))
     output = (26 + 2 * len(counted.fields)) * tin + width * cells
     steps = {"scatter": read + _SCATTER * points, "visit": _VISIT * points / at_once,
              "finish": (_FINISH * points + _TIN * tin + _CELLS[kind.method] * cells) / at_once,
-             "write": _TIFF * cells}  # fmt: skip
+             "write": (_MOSAIC + _TIFF / threads) * cells}  # fmt: skip
     return Plan(points, counted.not_finite, counted.other_class, leaves, shape, int(memory),
                 int(points * kind.record + borders + width * cells), int(output),
                 sum(steps.values()), threads, steps)  # fmt: skip

@@ -7,7 +7,7 @@ from __future__ import annotations
 import contextlib
 import itertools
 import os
-from typing import Any, Callable, Dict, Generator, Iterator, NamedTuple, Optional, Sequence, Set, Tuple
+from typing import Any, Callable, Dict, Generator, Iterator, List, NamedTuple, Optional, Sequence, Set, Tuple
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from ._errors import BadFile, BadOptions, NoSurface
 from ._leaves import Leaves
 from ._lines import Chains
 from ._store import STARTED, Store, failing, sync
-from ._work import ahead
+from ._work import Workers, ahead
 
 Tell = Callable[[int], Any]  # how many points more are done
 
@@ -204,17 +204,19 @@ def count(points: Points, leaves: Leaves, most: int, extent: Callable[[Any], Any
 def _count(points: Points, leaves: Leaves, most: int, extent: Callable[[Any], Any], tell: Tell) -> Counted:
     guess = points.guess()
     leaves.begin(guess)
+    box, spread = [np.inf, -np.inf, np.inf, -np.inf], _Spread()
     for number in itertools.count(1):
-        box, kept, spread = [np.inf, -np.inf, np.inf, -np.inf], 0, _Spread()
+        kept = 0
         with points.batches() as batches:
             for batch in batches:
                 xyz = np.ascontiguousarray(batch.records["xyz"])
                 kept += len(xyz)
                 if len(xyz):
-                    leaves.count_points(xyz)
-                    for k, x in enumerate((xyz[:, 0], xyz[:, 1])):  # an axis of its own is many times as fast
-                        box[2 * k : 2 * k + 2] = min(box[2 * k], x.min()), max(box[2 * k + 1], x.max())
-                    spread.add(xyz[:, :2])
+                    leaves.count_points(xyz)  # which refuses other bounds in a later pass
+                    if number == 1:
+                        for k, x in enumerate((xyz[:, 0], xyz[:, 1])):  # an axis of its own is many times as fast
+                            box[2 * k : 2 * k + 2] = min(box[2 * k], x.min()), max(box[2 * k + 1], x.max())
+                        spread.add(xyz[:, :2])
                 tell(batch.read)
         _check_surface(points, kept, spread)
         bounds = float(box[0]), float(box[1]), float(box[2]), float(box[3])
@@ -238,7 +240,15 @@ def _check_surface(points: Points, kept: int, spread: _Spread) -> None:
 # --- To the leaves ------------------------------------------------------------------------------------------
 
 
-def scatter(points: Points, leaves: Leaves, counts: np.ndarray, store: Store, tell: Tell) -> None:
+class Dealt(NamedTuple):
+    """A batch, by leaf."""
+
+    read: int
+    place: Place
+    parts: List[Tuple[int, np.ndarray]]  #: leaves that have some of it, and their records
+
+
+def scatter(points: Points, workers: Workers, counts: np.ndarray, store: Store, tell: Tell) -> None:
     """Each point to the file of its leaf, in the order of the files; `counts`: how many belong to each. Goes on where a
     run before ended: the files are cut to what was committed. BadFile, BadOptions, WriteFailed."""
     with failing(store.path("leaf")):
@@ -254,31 +264,35 @@ def scatter(points: Points, leaves: Leaves, counts: np.ndarray, store: Store, te
             with open(_leaf_file(store, leaf), "ab") as file:
                 file.truncate(size)
         tell(place.before + place.read)
-        with points.batches(place) as batches:
-            for batch in batches:
-                for leaf, records in _by_leaf(batch.records, leaves, len(sizes)):
+
+        def deal(leaves: Leaves, batch: Batch) -> Dealt:
+            return Dealt(batch.read, batch.place, _by_leaf(batch.records, leaves, len(sizes)))
+
+        with points.batches(place) as batches, contextlib.closing(workers.in_order(batches, deal)) as dealt:
+            for read, place, parts in dealt:
+                for leaf, records in parts:
                     with open(_leaf_file(store, leaf), "ab") as file:
-                        file.write(records.tobytes())
+                        file.write(records.view(np.uint8))
                     sizes[leaf] += records.nbytes
                     dirty.add(leaf)
-                place, since = batch.place, since + batch.read
+                since += read
                 if since >= COMMIT:
                     _commit(store, dirty, {"place": place, "sizes": sizes, "isDone": False})
                     since = 0
-                tell(batch.read)
+                tell(read)
         if [size // points.kind.itemsize for size in sizes] != counts.tolist():
             raise BadOptions("files of points were changed while they were read: begin anew, in another --work folder")
         _commit(store, dirty, {"place": place, "sizes": sizes, "isDone": True})
 
 
-def _by_leaf(records: np.ndarray, leaves: Leaves, count: int) -> Iterator[Tuple[int, np.ndarray]]:
+def _by_leaf(records: np.ndarray, leaves: Leaves, count: int) -> List[Tuple[int, np.ndarray]]:
     """Of each of so many leaves that has some its records, in their order."""
     of = leaves.leaf_of(np.ascontiguousarray(records["xyz"]))
     ends = np.cumsum(np.bincount(of, minlength=count))
     # take() is many times as fast as an index is, a sort of small numbers as one of others
     sorted_ = records.take(np.argsort(of.astype(np.uint16) if count <= 1 << 16 else of, kind="stable"))
-    for leaf in np.flatnonzero(np.diff(ends, prepend=0)).tolist():
-        yield leaf, sorted_[ends[leaf - 1] if leaf else 0 : ends[leaf]]
+    found = np.flatnonzero(np.diff(ends, prepend=0)).tolist()
+    return [(leaf, sorted_[ends[leaf - 1] if leaf else 0 : ends[leaf]]) for leaf in found]
 
 
 def _commit(store: Store, dirty: Set[int], state: Dict[str, Any]) -> None:

@@ -221,8 +221,6 @@ class Run:
     # --- the work ---
 
     def _make(self, leaves: Leaves, counted: Counted, planned: _plan.Plan) -> None:
-        self.tell.begin("scatter", self.points.said)
-        scatter(self.points, leaves, self.plan.counts, self.store, self.tell)
         raster, cells, count_ = self.options.raster, self.raster, len(self.plan.counts)
         windows = [leaves.cells(leaf, cells) for leaf in range(count_)] if cells else []
         wanted = Wanted(cells, windows, METHODS.index(raster.method) if raster else 0,
@@ -233,6 +231,8 @@ class Run:
         workers = Workers(threads, self.plan.saved, {
             "duplicates": DUPLICATES[self.options.duplicates], "threads": max(1, self.threads // threads),
             "maximum_edge_length": 0 if self._has_lines() else self.options.longest_edge})  # fmt: skip
+        self.tell.begin("scatter", self.points.said)
+        scatter(self.points, workers, self.plan.counts, self.store, self.tell)
         self._visit(workers)
         groups = self._finish(workers, finish)
         self._write(finish, groups)
@@ -284,7 +284,7 @@ class Run:
         if raster is not None and self.raster is not None:
             nodata = float(np.dtype(raster.dtype).type(raster.nodata))
             mosaic = _tiff.Mosaic(self.store, self.raster, wanted.windows, raster.dtype, nodata)
-            _tiff.write(os.fspath(raster.path), mosaic, self.raster, self.system)
+            _tiff.write(os.fspath(raster.path), mosaic, self.raster, self.system, self.threads)
         if self.folder is not None and self.options.tin is not None:
             self._write_tin(finish, groups)
         self.tell(1)

@@ -15,6 +15,7 @@ from .._raster import Raster
 from ._errors import BadOptions, WriteFailed
 from ._store import PART, Store, sync
 
+_PROCESS = os.getpid()  # GDAL's threads are not in a child of fork, which would wait for them for ever
 _CACHE = 64  # MB that GDAL may hold; it takes a share of the machine's memory otherwise
 
 Window = Tuple[int, int, int, int]  # first row, first column, rows, columns; rows from the south
@@ -26,7 +27,7 @@ class Mosaic:
     def __init__(self, store: Store, raster: Raster, windows: List[Window], dtype: Any, nodata: float) -> None:
         self.shape = (*raster.shape, 1)
         self.dtype = np.dtype(dtype)
-        self._store, self._windows, self._nodata = store, windows, nodata
+        self._store, self._windows, self.nodata = store, windows, nodata
 
     def __len__(self) -> int:
         return self.shape[0]
@@ -41,8 +42,8 @@ class Mosaic:
             if first < last and columns:
                 cells = np.load(self._store.path("cells", "%d.npy" % leaf), mmap_mode="r")
                 made[first - low : last - low, column : column + columns] = cells[first - row : last - row]
-        if not math.isnan(self._nodata):
-            made[np.isnan(made)] = self._nodata
+        if not math.isnan(self.nodata):
+            made[np.isnan(made)] = self.nodata
         return made[::-1]
 
 
@@ -65,7 +66,7 @@ def system(crs: Any) -> Any:
 @contextlib.contextmanager
 def _little_cache(gdal: Any) -> Iterator[None]:
     if gdal.__name__ == "rasterio":
-        with gdal.Env(GDAL_CACHEMAX=_CACHE, GDAL_NUM_THREADS="1"):
+        with gdal.Env(GDAL_CACHEMAX=_CACHE, GDAL_NUM_THREADS="1"):  # where no number is asked for
             yield
         return
     before = gdal.GetCacheMax()
@@ -76,16 +77,17 @@ def _little_cache(gdal: Any) -> Iterator[None]:
         gdal.SetCacheMax(before)
 
 
-def write(path: str, mosaic: Mosaic, raster: Raster, crs: Any) -> None:
+def write(path: str, mosaic: Mosaic, raster: Raster, crs: Any, threads: int) -> None:
     """WriteFailed, with the file that was there before."""
     gdal = package()
     by = _exchange._by_rasterio if gdal.__name__ == "rasterio" else _exchange._by_gdal
     (x, _), (dx, dy) = raster.origin, raster.spacing
     place = (x - dx / 2, dx, 0.0, float(raster.y[-1]) + dy / 2, 0.0, -dy)
     made = path + PART
+    how = _exchange.How(mosaic.nodata, "YES", threads if os.getpid() == _PROCESS else 1)
     try:
         with _little_cache(gdal):
-            by(gdal, made, mosaic, place, system(crs), mosaic._nodata, "YES")
+            by(gdal, made, mosaic, place, system(crs), how)
         sync(made)
         os.replace(made, path)
         sync(os.path.dirname(os.path.abspath(path)))

@@ -11,10 +11,12 @@ from typing import Any, Callable, Deque, Dict, Generator, Iterable, List, Mappin
 
 from ._leaves import Leaves
 
-Item = TypeVar("Item")
+Item, Made = TypeVar("Item"), TypeVar("Made")
+
+IN_ORDER = 4  #: threads at the most whose results are in order, as each holds some: a disk is not faster
 
 
-def ahead(items: Iterable[Item], depth: int = 2) -> Generator[Item, None, None]:
+def ahead(items: Iterable[Item], depth: int = 1) -> Generator[Item, None, None]:
     """The same items, made by a thread of their own, at most so many before they are asked for. To be closed, so that
     the thread ends."""
     made: "queue.Queue[Any]" = queue.Queue(depth)
@@ -73,7 +75,7 @@ class Workers:
         """work(leaves, task) of each task in some thread, then ended(task) in this one, which returns tasks that can
         begin now: these come first. An exception, Ctrl-C too, ends all at once."""
         ready: Deque[Any] = deque(tasks)
-        running: Dict[Future[None], Any] = {}
+        running: Dict[Future[Any], Any] = {}
         with ThreadPoolExecutor(self.count, "tiles") as pool:
             try:
                 while ready or running:
@@ -85,15 +87,45 @@ class Workers:
                         done.result()
                         ready.extendleft(reversed(ended(task)))
             except BaseException:
-                for future in running:
-                    future.cancel()
-                for leaves in self._all:
-                    leaves.cancel()
+                self._end(running)
                 raise
 
-    def _one(self, work: Callable[[Leaves, Any], Any], task: Any) -> None:
+    def in_order(self, items: Iterable[Item], work: Callable[[Leaves, Item], Made]) -> Generator[Made, None, None]:
+        """work(leaves, item) of each item in some thread, a few ahead, and what they make in the order of the items. To
+        be closed."""
+        some = min(self.count, IN_ORDER)
+        if some == 1:
+            for item in items:
+                yield self._one(work, item)
+            return
+        running: Deque[Future[Made]] = deque()
+        with ThreadPoolExecutor(some, "tiles") as pool:
+            try:
+                for item in items:
+                    running.append(pool.submit(self._one, work, item))
+                    if len(running) > some:
+                        yield _result(running.popleft())
+                while running:
+                    yield _result(running.popleft())
+            except BaseException:
+                self._end(running)
+                raise
+
+    def _end(self, running: Iterable[Future[Any]]) -> None:
+        for future in running:
+            future.cancel()
+        for leaves in self._all:
+            leaves.cancel()
+
+    def _one(self, work: Callable[[Leaves, Item], Made], task: Item) -> Made:
         leaves = self._free.get()
         try:
-            work(leaves, task)
+            return work(leaves, task)
         finally:
             self._free.put(leaves)
+
+
+def _result(future: Future[Made]) -> Made:
+    while not wait([future], 1.0).done:  # not for ever: Ctrl-C on Windows
+        pass
+    return future.result()
