@@ -272,7 +272,7 @@ def scatter(points: Points, workers: Workers, counts: np.ndarray, store: Store, 
             for read, place, parts in dealt:
                 for leaf, records in parts:
                     with open(_leaf_file(store, leaf), "ab") as file:
-                        file.write(records.view(np.uint8))
+                        file.write(records.view(np.uint8).data)
                     sizes[leaf] += records.nbytes
                     dirty.add(leaf)
                 since += read

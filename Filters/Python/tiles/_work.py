@@ -11,7 +11,8 @@ from typing import Any, Callable, Deque, Dict, Generator, Iterable, List, Mappin
 
 from ._leaves import Leaves
 
-Item, Made = TypeVar("Item"), TypeVar("Made")
+Item = TypeVar("Item")
+Made = TypeVar("Made")
 
 IN_ORDER = 4  #: threads at the most whose results are in order, as each holds some: a disk is not faster
 
