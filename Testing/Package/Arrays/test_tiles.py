@@ -5,6 +5,8 @@ and, for rasters, the order of the files."""
 import importlib
 import json
 import os
+import threading
+import time
 import unittest
 import unittest.mock
 import warnings
@@ -16,7 +18,7 @@ from tilesupport import (
     triangles_of,
 )  # fmt: skip
 
-from adaptivehilbertdelaunay.tiles import _visits
+from adaptivehilbertdelaunay.tiles import _leaves, _visits, _work
 
 COUNT = 1500
 
@@ -241,6 +243,50 @@ class LinesTest(TilesTest):
                 tiles.make([path], tin=self.at("a.pvtp"), **chosen)
         with self.assertRaisesRegex(tiles.BadOptions, "nearest takes neither"):
             tiles.make([path], raster=tiles.GeoTiff(self.at("a.tif"), 1, "nearest"), **self.files())
+
+
+class ThreadsTest(unittest.TestCase):
+    POINTS = next(points for name, points in kinds(COUNT) if name == "uniform")
+
+    def workers(self, count):
+        leaves = _leaves.Leaves()
+        leaves.begin(None)
+        again = True
+        while again:
+            leaves.count_points(self.POINTS)
+            again = leaves.end_pass(100, None)
+        return _work.Workers(count, leaves.plan().saved, {})
+
+    def test_what_is_made_is_in_order(self):
+        def slowly(leaves, item):
+            time.sleep(0.02 * (item % 3 == 0))
+            return item, leaves.leaf_of(self.POINTS[item : item + 1])[0], threading.get_ident()
+
+        want = [one[:2] for one in self.workers(1).in_order(range(50), slowly)]
+        for count in (2, 3, 9):
+            made = list(self.workers(count).in_order(iter(range(50)), slowly))
+            self.assertEqual([one[:2] for one in made], want)
+            self.assertTrue(1 < len({one[2] for one in made}) <= min(count, _work.IN_ORDER))
+
+    def test_few_are_begun_before_they_are_asked_for(self):
+        begun, made = [], self.workers(2).in_order(iter(range(50)), lambda leaves, item: begun.append(item))
+        next(made)
+        self.assertTrue(1 <= len(begun) <= 3)
+        made.close()
+        self.assertTrue(len(begun) <= 3)
+
+    def test_what_is_raised_ends_all(self):
+        def fail(leaves, item):
+            if item == 7:
+                raise LookupError(item)
+            return item
+
+        for count in (1, 2):
+            made, found = self.workers(count).in_order(iter(range(50)), fail), []
+            with self.assertRaisesRegex(LookupError, "7"):
+                for one in made:
+                    found.append(one)
+            self.assertEqual(found, list(range(7)))
 
 
 if __name__ == "__main__":
