@@ -304,7 +304,6 @@ def refuse_conflict(limit: Any, alpha: Any, duplicates: Any, *simplified: Any) -
         raise ValueError(text)
 
 
-_NUMBERS = ("values", "weights", "keep")
 _CONFLICT = ("insertion_limit", "alpha", "duplicates", "maximum_error", "maximum_vertices")
 
 
@@ -364,8 +363,7 @@ class Request:
         made.__dict__.update(self.__dict__)
         made.settings = {**self.settings, **{KEYWORDS[name].setting: _converted(name, given[name]) for name in given}}
         refuse_conflict(*map(made.settings.get, _CONFLICT))
-        made.arrays = {name: array for name, array in self.arrays.items() if name not in _NUMBERS}
-        made.arrays.update(numbers)
+        made.arrays = {**self.arrays, **numbers}
         made._described = {}
         return made
 

@@ -55,7 +55,8 @@ class Simplified(Outlined):
         The points, constraints and settings are those of this triangulation, and so are ids: `points` are the same
         array, not copied. `point_status` is -3 for points that were left out. ``measures["largest_error"]`` is the
         largest error at these, times its weight, ``counts["within_error"]`` their number; `errors` has those of all
-        points, without weights. A simplified triangulation is simplified from all points again.
+        points, without weights. A simplified triangulation is simplified from all points again. What is not given of
+        `values`, `weights` and `keep` is as it was for this triangulation.
 
         Parameters
         ----------

@@ -186,7 +186,8 @@ class SimplifiedTest(KeywordTest):
             values = z if given is points else None
             again = delaunay(given).simplify(BOUND, values=values, weights=weights, keep=keep.view(np.uint8))
             np.testing.assert_array_equal(again.triangles, made.triangles)
-        plain = again.simplify(BOUND)  # of all points, without them
+            np.testing.assert_array_equal(again.simplify(BOUND).triangles, made.triangles)  # of all points, with them
+        plain = again.simplify(BOUND, weights=np.ones(3000), keep=np.zeros(3000, bool))
         np.testing.assert_array_equal(plain.triangles, delaunay(points, heights=z, maximum_error=BOUND).triangles)
         weights[:] = 0  # they are copied
         self.assertEqual(made.errors.max(), pickle.loads(pickle.dumps(made)).errors.max())
