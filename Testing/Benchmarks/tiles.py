@@ -6,7 +6,8 @@ result is that of one piece. With the Python that has the package ('.[tiles]').
   tiles.py [--points 1e8] [--threads N] [--tin] [--cell 1] [--windows 1000] [--whole] [--work FOLDER] [--keep]
 
 Points are in strips, a .npy of float32 for each, as lines of flight are: one for each square metre. The disk must hold
-12 bytes a point of these, and what the plan says. One line of JSON is printed. The exit code is 1 if a result is wrong:
+12 bytes a point of these, and what the plan says. One line of JSON is printed. The exit code is 1 if a result is wrong,
+77 where there is no rasterio to read a raster:
   --windows N   N random windows of 32 x 32 cells are compared with runs of the points around them, to the byte
   --tin         a TIN; its number of triangles is compared with Euler's, 2 n - 2 - hull
   --whole       triangles' SHA-256 (--tin) or all cells are compared with those of one run of all points (84 bytes a
@@ -16,6 +17,7 @@ Points are in strips, a .npy of float32 for each, as lines of flight are: one fo
 import argparse
 import contextlib
 import hashlib
+import importlib.util
 import json
 import resource
 import shutil
@@ -236,6 +238,9 @@ def main():
     parser.add_argument("--keep", action="store_true", help="points and result stay")
     parser.add_argument("--memory", default="4GB")
     chosen = parser.parse_args()
+    if not chosen.tin and not importlib.util.find_spec("rasterio"):
+        print("skipped: there is no rasterio")
+        return 77
     folder = chosen.work / ("%.0e" % chosen.points)
     folder.mkdir(parents=True, exist_ok=True)
     survey = Survey(folder, int(chosen.points))
