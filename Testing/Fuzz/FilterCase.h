@@ -15,6 +15,7 @@
 #include <vector>
 
 class vtkAdaptiveHilbertDelaunay2D;
+class vtkAdaptiveHilbertQualityMesh2D;
 
 namespace ahd
 {
@@ -42,11 +43,17 @@ enum FilterByte : std::size_t
   kOffset,     ///< likewise
   kLimit,      ///< InsertionLimit
   kMemory,     ///< 0, or MemoryLimit as a number
-  kThreadCount, ///< bits 0-1 NumberOfThreads; 2 closed lines; 3, 7 source heights; 4 points as
-                ///< line; 5 zero is missing; 6 straight lines
-  kAbortAt,     ///< a first execution is aborted at this progress event; 0: there is none
-  kChange,      ///< changes between executions
-  kMultiply,    ///< from 224 on: the points 4, 16, 64 times, side by side
+  kThreadCount,  ///< bits 0-1 NumberOfThreads; 2 closed lines; 3, 7 source heights; 4 points as
+                 ///< line; 5 zero is missing; 6 straight lines
+  kAbortAt,      ///< a first execution is aborted at this progress event; 0: there is none
+  kChange,       ///< changes between executions
+  kMultiply,     ///< from 224 on: the points 4, 16, 64 times, side by side
+  kMaximumError, ///< a number
+  kMostVertices, ///< MaximumNumberOfVertices
+  kNumbers,   ///< bits 0-1 values; 2-3 weights; 4-5 marks; 6 second pass; 7 settings that exclude a
+              ///< simplified surface or a mesh stay
+  kMesh,      ///< 0: the surface; else a quality mesh, its MinimumAngle the byte modulo 35
+  kMeshSizes, ///< bits 0-1 sizes; 2-4 length; 5-7 area
   kFilterHeadBytes
 };
 
@@ -68,7 +75,10 @@ private:
   const std::uint8_t* end_;
 };
 
-/// The filter's inputs. Any bytes are legal: the head, then the points of the input, those of
+/// A setting: 0, powers of two, and special values.
+double number(std::uint8_t byte);
+
+/// The filters' inputs. Any bytes are legal: the head, then the points of the input, those of
 /// the source, its cells, the arrays. Anything that VTK permits may result.
 class FilterCase
 {
@@ -78,6 +88,7 @@ public:
   /// All settings; those without a byte of the head by a byte of another meaning. Those
   /// that change no byte of the result differ between `run` 0 and others.
   void configure(vtkAdaptiveHilbertDelaunay2D* filter, unsigned run) const;
+  void configure(vtkAdaptiveHilbertQualityMesh2D* mesh, unsigned run) const;
 
   /// Changes one of settings, coordinates and data, by the case, each time another.
   void change(unsigned step);
@@ -92,6 +103,7 @@ private:
   void readSource(ByteReader& bytes);
   double largest() const;
   std::map<std::string, double> ofSurface() const;          // settings by name
+  std::map<std::string, double> ofNumbers() const;          // which points and triangles stay
   std::map<std::string, double> ofWork(unsigned run) const; // how it goes about it
 
   std::array<std::uint8_t, kFilterHeadBytes> head_{};

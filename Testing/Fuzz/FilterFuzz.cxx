@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Bytes become a data set of any kind, a source and settings (FilterCase.h), and the filter runs on
-// them: aborted once, then several times with changes between, each time checked against the
-// documentation of the outputs, and compared with a new filter with other threads. Only the filter
-// and its pipeline may report messages, and the input stays unchanged.
+// Bytes become a data set of any kind, a source and settings (FilterCase.h), and a filter, that of
+// triangulations or that of quality meshes, runs on them: aborted once, then several times with
+// changes between, each time checked against the documentation of the outputs, and compared with a
+// new filter with other threads. Only the filter and its pipeline may report messages, and the
+// input stays unchanged.
 #include "FilterJudge.h"
+#include "MeshJudge.h"
 
 #include "vtkAdaptiveHilbertDelaunay2D.h"
+#include "vtkAdaptiveHilbertQualityMesh2D.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
@@ -73,7 +76,9 @@ Ear& ear()
   std::abort();
 }
 
-/// A filter whose messages are recorded, aborted at the given progress event, if any.
+/// `Filter`: its class. One whose messages are recorded, aborted at the given progress event, if
+/// any.
+template <typename Filter>
 class Watched
 {
 public:
@@ -119,7 +124,7 @@ public:
   }
 
   std::string outputs() { return outputsOf(filter_); }
-  vtkAdaptiveHilbertDelaunay2D* filter() { return filter_; }
+  Filter* filter() { return filter_; }
 
 private:
   static void hear(vtkObject* from, unsigned long event, void* self, void*)
@@ -135,7 +140,7 @@ private:
     }
   }
 
-  vtkNew<vtkAdaptiveHilbertDelaunay2D> filter_;
+  vtkNew<Filter> filter_;
   vtkNew<vtkCallbackCommand> callback_;
   bool said_ = false;
   unsigned abortAt_ = 0;
@@ -149,10 +154,11 @@ void expectSame(const std::string& one, const std::string& other, const char* wh
   }
 }
 
+template <typename Filter>
 void run(FilterCase& given)
 {
   const std::string before = textOf(given.input()) + textOf(given.source());
-  Watched watched(given, 0);
+  Watched<Filter> watched(given, 0);
   if (given.head(kAbortAt) > 0)
   {
     watched.update(given.head(kAbortAt));
@@ -162,7 +168,7 @@ void run(FilterCase& given)
     watched.update();
     if (step != 1) // the second only prepares for the third, which may pass on kept outputs
     {
-      Watched fresh(given, 1);
+      Watched<Filter> fresh(given, 1);
       fresh.update();
       expectSame(watched.outputs(), fresh.outputs(), "something else than a new filter");
     }
@@ -184,6 +190,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
   ahd::fuzz::ear();
   ahd::fuzz::FilterCase given(data, size);
-  ahd::fuzz::run(given);
+  given.head(ahd::fuzz::kMesh) == 0 ? ahd::fuzz::run<vtkAdaptiveHilbertDelaunay2D>(given)
+                                    : ahd::fuzz::run<vtkAdaptiveHilbertQualityMesh2D>(given);
   return 0;
 }

@@ -3,6 +3,7 @@
 
 #include "ExactSigns.h"
 #include "FilterArrays.h"
+#include "SimplifiedJudge.h"
 
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 #include "vtkCellArray.h"
@@ -23,31 +24,12 @@ namespace ahd
 {
 namespace fuzz
 {
-namespace
-{
-
-std::string textOf(const char* name, vtkCellArray* cells)
-{
-  std::string text = name;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
-  {
-    cells->GetCellAtId(cell, ids);
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-    {
-      text += " " + std::to_string(ids->GetId(i));
-    }
-    text += ",";
-  }
-  return text + "\n";
-}
 
 const vtkIdTypeArray* idsOf(vtkFieldData* data, const char* name)
 {
   return vtkIdTypeArray::SafeDownCast(data->GetAbstractArray(name));
 }
 
-/// The counts in the field data.
 vtkIdType countOf(vtkPolyData* surface, const char* what)
 {
   const std::string name = std::string("NumberOf") + what;
@@ -76,7 +58,6 @@ std::string faultOfCells(vtkCellArray* cells, vtkIdType points, vtkIdType least,
   return "";
 }
 
-/// Arrays that are not of `count` tuples.
 std::string faultOfArrays(vtkDataSetAttributes* data, vtkIdType count)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -88,49 +69,6 @@ std::string faultOfArrays(vtkDataSetAttributes* data, vtkIdType count)
     }
   }
   return "";
-}
-
-/// Arrays of the filter that are mistaken for one of the input.
-std::string faultOfAttributes(vtkPointData* data, vtkAdaptiveHilbertDelaunay2D* filter)
-{
-  for (int k = 0; k < vtkDataSetAttributes::NUM_ATTRIBUTES; ++k)
-  {
-    vtkAbstractArray* active = data->GetAbstractAttribute(k);
-    const std::string name = active && active->GetName() ? active->GetName() : "";
-    if ((name == "Fate" && filter->GetGenerateFate()) ||
-      (name == "InsertionRank" && filter->GetGenerateInsertionRank()))
-    {
-      return name + " as another attribute";
-    }
-  }
-  return "";
-}
-
-std::string faultOfFates(vtkPolyData* surface)
-{
-  const auto* fates = idsOf(surface->GetPointData(), "Fate");
-  vtkIdType vertices = 0, others = 0, rejected = 0, out = 0;
-  for (vtkIdType i = 0; i < fates->GetNumberOfValues(); ++i)
-  {
-    const vtkIdType fate = fates->GetValue(i);
-    if (fate < -2 || fate >= fates->GetNumberOfValues() ||
-      (fate >= 0 && fates->GetValue(fate) != fate))
-    {
-      return "a fate that is no vertex: " + std::to_string(fate);
-    }
-    vertices += fate == i;
-    others += fate >= 0 && fate != i;
-    rejected += fate == -1;
-    out += fate == -2;
-  }
-  const bool fit = vertices == countOf(surface, "PointsInserted") &&
-    rejected == countOf(surface, "RejectedPoints");
-  // points that duplicate or are merged into a point beyond the limit are out, too
-  const vtkIdType doubles = countOf(surface, "Duplicates") + countOf(surface, "MergedPoints");
-  const vtkIdType beyond = countOf(surface, "PointsBeyondLimit");
-  const bool doubleFit = beyond > 0 ? others <= doubles : others == doubles;
-  const bool sumFits = others + out == doubles + beyond + countOf(surface, "SkippedPoints");
-  return fit && doubleFit && sumFits ? "" : "fates that are not as many as the counts";
 }
 
 std::string faultOfTriangles(vtkPolyData* surface, bool inPlane)
@@ -162,6 +100,76 @@ std::string faultOfTriangles(vtkPolyData* surface, bool inPlane)
   return "";
 }
 
+namespace
+{
+
+std::string textOf(const char* name, vtkCellArray* cells)
+{
+  std::string text = name;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    cells->GetCellAtId(cell, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      text += " " + std::to_string(ids->GetId(i));
+    }
+    text += ",";
+  }
+  return text + "\n";
+}
+
+/// Arrays of the filter that are mistaken for one of the input.
+std::string faultOfAttributes(vtkPointData* data, vtkAdaptiveHilbertDelaunay2D* filter)
+{
+  for (int k = 0; k < vtkDataSetAttributes::NUM_ATTRIBUTES; ++k)
+  {
+    vtkAbstractArray* active = data->GetAbstractAttribute(k);
+    const std::string name = active && active->GetName() ? active->GetName() : "";
+    if ((name == "Fate" && filter->GetGenerateFate()) ||
+      (name == "Error" && filter->GetGenerateErrors()) ||
+      (name == "OriginalPointIds" && hasPointsOfCellsOnly(filter)) ||
+      (name == "InsertionRank" && filter->GetGenerateInsertionRank()))
+    {
+      return name + " as another attribute";
+    }
+  }
+  return "";
+}
+
+std::string faultOfFates(vtkPolyData* surface)
+{
+  const auto* fates = idsOf(surface->GetPointData(), "Fate");
+  vtkIdType vertices = 0, others = 0, rejected = 0, out = 0, within = 0;
+  for (vtkIdType i = 0; i < fates->GetNumberOfValues(); ++i)
+  {
+    const vtkIdType fate = fates->GetValue(i);
+    if (fate < -3 || fate >= fates->GetNumberOfValues() ||
+      (fate >= 0 && fates->GetValue(fate) != fate))
+    {
+      return "a fate that is no vertex: " + std::to_string(fate);
+    }
+    vertices += fate == i;
+    others += fate >= 0 && fate != i;
+    rejected += fate == -1;
+    out += fate == -2;
+    within += fate == -3;
+  }
+  const bool fit = vertices == countOf(surface, "PointsInserted") &&
+    rejected == countOf(surface, "RejectedPoints");
+  // points that duplicate or are merged into a point beyond the limit are out, too, and those
+  // merged into one within the error are so
+  const vtkIdType merged = countOf(surface, "MergedPoints");
+  const vtkIdType doubles = countOf(surface, "Duplicates") + merged;
+  const vtkIdType beyond = countOf(surface, "PointsBeyondLimit");
+  const vtkIdType less = countOf(surface, "PointsWithinError");
+  const bool lessFit = within >= less && within <= less + (less > 0 ? merged : 0);
+  const bool doubleFit = beyond > 0 ? others <= doubles : others == doubles - (within - less);
+  const bool sumFits = others + out + within ==
+    doubles + beyond + less + countOf(surface, "SkippedPoints");
+  return fit && lessFit && doubleFit && sumFits ? "" : "fates that are not as many as the counts";
+}
+
 std::string faultOfSurface(vtkPolyData* surface, vtkAdaptiveHilbertDelaunay2D* filter)
 {
   const vtkIdType points = surface->GetNumberOfPoints();
@@ -177,11 +185,13 @@ std::string faultOfSurface(vtkPolyData* surface, vtkAdaptiveHilbertDelaunay2D* f
   }
   vtkIdType sum = 0;
   for (const char* what : { "PointsInserted", "Duplicates", "RejectedPoints", "SkippedPoints",
-         "PointsBeyondLimit", "MergedPoints" })
+         "PointsBeyondLimit", "MergedPoints", "PointsWithinError" })
   {
     sum += countOf(surface, what);
   }
-  add(sum == points ? "" : "counts that do not add up to the points");
+  const bool areAll = !hasPointsOfCellsOnly(filter);
+  add(areAll ? sum == points ? "" : "counts that do not add up to the points"
+             : faultOfPointsOfCells(surface, sum));
   const bool inPlane = filter->GetProjectionPlaneMode() != VTK_BEST_FITTING_PLANE &&
     !filter->GetTransform();
   add(faultOfTriangles(surface, inPlane));
@@ -259,6 +269,7 @@ std::string faultOf(vtkAdaptiveHilbertDelaunay2D* filter, bool said)
     auto* surface = vtkPolyData::SafeDownCast(leaf);
     const std::string other = surface ? faultOfSurface(surface, filter) : "no polydata";
     fault = fault.empty() ? other : fault;
+    fault = fault.empty() && surface == first ? faultOfSimplified(filter, surface) : fault;
     if (surface == first && said && surface->GetNumberOfPoints() + surface->GetNumberOfCells() > 0)
     {
       return "an error, and an output";

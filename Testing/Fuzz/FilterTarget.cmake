@@ -36,7 +36,8 @@ target_link_libraries(ahd_fuzz_filter PUBLIC
   VTK::CommonTransforms)
 ahd_precompile_vtk(ahd_fuzz_filter)
 
-add_library(ahd_fuzz_filter_common OBJECT FilterArrays.cxx FilterCase.cxx FilterJudge.cxx)
+add_library(ahd_fuzz_filter_common OBJECT FilterArrays.cxx FilterCase.cxx FilterSettings.cxx FilterJudge.cxx
+  MeshJudge.cxx SimplifiedJudge.cxx)
 target_compile_options(ahd_fuzz_filter_common PRIVATE ${ahd_fuzz_quiet} ${ahd_engine_options}
   ${ahd_warnings} -Wno-ignored-optimization-argument)
 target_link_libraries(ahd_fuzz_filter_common PUBLIC ahd_fuzz_filter ahd_fuzz_support GTest::gtest)
