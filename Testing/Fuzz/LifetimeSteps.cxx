@@ -5,6 +5,7 @@
 
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 #include "vtkAdaptiveHilbertInterpolation2D.h"
+#include "vtkAdaptiveHilbertQualityMesh2D.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -32,6 +33,19 @@ void LifetimeWorld::setSurface(Dice& dice)
 void LifetimeWorld::setRaster(Dice& dice)
 {
   settings_[8 + dice.below(4)] = std::uint8_t(dice.below(12));
+  this->attach();
+}
+
+void LifetimeWorld::setNumbers(Dice& dice)
+{
+  settings_[12] = std::uint8_t(dice.below(12));
+  settings_[13 + dice.below(5)] = std::uint8_t(dice.below(60));
+  this->attach();
+}
+
+void LifetimeWorld::setMesh(Dice& dice)
+{
+  settings_[18 + dice.below(3)] = std::uint8_t(dice.below(12));
   this->attach();
 }
 
@@ -98,6 +112,13 @@ void LifetimeWorld::newFilter(Dice& dice)
   {
     raster_ = vtkSmartPointer<vtkAdaptiveHilbertInterpolation2D>::New();
   }
+  rubbish_.fill(dice);
+  this->attach();
+}
+
+void LifetimeWorld::newMesh(Dice& dice)
+{
+  mesh_ = vtkSmartPointer<vtkAdaptiveHilbertQualityMesh2D>::New();
   rubbish_.fill(dice);
   this->attach();
 }
@@ -283,9 +304,13 @@ void LifetimeWorld::dropOutput(Dice&)
 
 // --- While a filter works ----------------------------------------------------------------------
 
-vtkAlgorithm* LifetimeWorld::oneFilter(Dice& dice) const
+vtkAlgorithm* LifetimeWorld::oneFilter(Dice& dice)
 {
-  return dice.below(2) == 0 ? static_cast<vtkAlgorithm*>(surface_) : raster_;
+  if (dice.below(2) == 0)
+  {
+    return surface_;
+  }
+  return hasMesh_ && dice.below(2) == 0 ? static_cast<vtkAlgorithm*>(mesh_) : raster_;
 }
 
 /// Updates it, and acts at one of its progress events.
@@ -335,6 +360,7 @@ void LifetimeWorld::changeInObserver(Dice& dice)
         transform_ = nullptr;
         surface_->SetTransform(nullptr);
         raster_->GetTriangulation()->SetTransform(nullptr);
+        mesh_->GetTriangulation()->SetTransform(nullptr);
         break;
       case 1:
         input_->Initialize();
@@ -348,6 +374,7 @@ void LifetimeWorld::changeInObserver(Dice& dice)
       case 3:
         surface_->SetSourceData(nullptr);
         raster_->SetSourceData(nullptr);
+        mesh_->SetSourceData(nullptr);
         break;
       default:
         input_->SetPoints(vtkSmartPointer<vtkPoints>::New());

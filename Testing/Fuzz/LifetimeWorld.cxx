@@ -4,9 +4,11 @@
 #include "LifetimeWorld.h"
 
 #include "FilterJudge.h"
+#include "MeshJudge.h"
 
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 #include "vtkAdaptiveHilbertInterpolation2D.h"
+#include "vtkAdaptiveHilbertQualityMesh2D.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDataSet.h"
@@ -53,6 +55,12 @@ const LifetimeWorld::Kind LifetimeWorld::kKinds[] = {
   { "dropOutput", &LifetimeWorld::dropOutput },
   { "abort", &LifetimeWorld::abort },
   { "changeInObserver", &LifetimeWorld::changeInObserver },
+  { "setNumbers", &LifetimeWorld::setNumbers },
+  { "setNumbers", &LifetimeWorld::setNumbers },
+  { "updateMesh", &LifetimeWorld::updateMesh },
+  { "updateMesh", &LifetimeWorld::updateMesh },
+  { "setMesh", &LifetimeWorld::setMesh },
+  { "newMesh", &LifetimeWorld::newMesh },
 };
 
 std::size_t LifetimeWorld::kinds()
@@ -68,6 +76,7 @@ const char* LifetimeWorld::name(std::size_t kind)
 LifetimeWorld::LifetimeWorld()
   : surface_(vtkSmartPointer<vtkAdaptiveHilbertDelaunay2D>::New())
   , raster_(vtkSmartPointer<vtkAdaptiveHilbertInterpolation2D>::New())
+  , mesh_(vtkSmartPointer<vtkAdaptiveHilbertQualityMesh2D>::New())
 {
   Dice dice(0);
   input_ = makeInput(dice);
@@ -86,6 +95,10 @@ void LifetimeWorld::finish()
   Dice dice(1);
   this->updateSurface(dice);
   this->updateRaster(dice);
+  if (hasMesh_)
+  {
+    this->updateMesh(dice);
+  }
 }
 
 std::string LifetimeWorld::state() const
@@ -142,6 +155,37 @@ void LifetimeWorld::configure(vtkAdaptiveHilbertDelaunay2D* surface) const
   // without it a copied or passed-on surface has less information than its triangulation
   surface->SetGenerateConstraintEdges(true);
   surface->SetNumberOfThreads(1 + settings_[7] % 2);
+  this->configureNumbers(surface);
+}
+
+/// A surface of some of the points, and its errors.
+void LifetimeWorld::configureNumbers(vtkAdaptiveHilbertDelaunay2D* surface) const
+{
+  const double errors[] = { 0.0, 0.02, 0.1, 0.4 };
+  const double most = errors[settings_[12] % 4];
+  const int vertices = settings_[13] % 3 == 1 ? 20 : 0;
+  surface->SetMaximumError(most);
+  surface->SetMaximumNumberOfVertices(vertices);
+  surface->SetSecondPass(settings_[14] % 2 == 1);
+  surface->SetKeptPointsOnly(settings_[15] % 3 != 1);
+  surface->SetGenerateErrors(settings_[16] % 3 == 1);
+  surface->SetValueArrayName(settings_[17] % 3 == 1 ? "h" : "");
+  surface->SetWeightArrayName(settings_[17] % 4 == 2 ? "h" : "");
+  surface->SetKeepArrayName(settings_[17] % 5 == 3 ? "vtkGhostType" : "");
+  if (most > 0.0 || vertices > 0) // means of heights exclude it
+  {
+    surface->SetDuplicatePolicy(settings_[6] % 3);
+  }
+}
+
+void LifetimeWorld::configure(vtkAdaptiveHilbertQualityMesh2D* mesh) const
+{
+  const double angles[] = { 20.0, 0.0, 30.0 };
+  this->configure(mesh->GetTriangulation());
+  mesh->SetMinimumAngle(angles[settings_[18] % 3]);
+  mesh->SetMaximumLength(settings_[19] % 3 == 1 ? 0.3 : 0.0);
+  mesh->SetSizeArrayName(settings_[20] % 3 == 1 ? "h" : "");
+  mesh->SetMaximumNumberOfAddedPoints(100);
 }
 
 void LifetimeWorld::configure(
@@ -164,23 +208,28 @@ void LifetimeWorld::attach()
 {
   isCurrent_ = false;
   this->configure(surface_, raster_);
+  this->configure(mesh_);
   surface_->SetSourceData(source_);
   raster_->SetSourceData(route_ == kSurface ? nullptr : source_.Get());
+  mesh_->SetSourceData(route_ == kSurface ? nullptr : source_.Get());
   if (route_ == kStream)
   {
     stream_ = stream_ ? stream_ : vtkSmartPointer<TimedPoints>::New();
     surface_->SetInputConnection(0, stream_->GetOutputPort());
     raster_->SetInputConnection(0, stream_->GetOutputPort());
+    mesh_->SetInputConnection(0, stream_->GetOutputPort());
     return;
   }
   surface_->SetInputDataObject(0, input_);
   if (route_ == kData)
   {
     raster_->SetInputDataObject(0, input_);
+    mesh_->SetInputDataObject(0, input_);
   }
   else
   {
     raster_->SetInputConnection(0, surface_->GetOutputPort(0));
+    mesh_->SetInputConnection(0, surface_->GetOutputPort(0));
   }
 }
 
@@ -274,6 +323,26 @@ void LifetimeWorld::checkRaster(bool isWhole)
   expectSame("piece", partText(image, image->GetExtent()), partText(all, image->GetExtent()));
 }
 
+void LifetimeWorld::checkMesh()
+{
+  vtkSmartPointer<vtkAdaptiveHilbertDelaunay2D> surface;
+  vtkSmartPointer<vtkAdaptiveHilbertInterpolation2D> raster;
+  this->makeNew(surface, raster);
+  vtkNew<vtkAdaptiveHilbertQualityMesh2D> mesh;
+  this->configure(mesh);
+  if (route_ == kSurface)
+  {
+    mesh->SetInputConnection(0, surface->GetOutputPort(0));
+  }
+  else
+  {
+    mesh->SetInputDataObject(0, raster->GetInputDataObject(0, 0));
+    mesh->SetSourceData(raster->GetSource());
+  }
+  mesh->Update();
+  expectSame("mesh", outputsOf(mesh_), outputsOf(mesh));
+}
+
 void LifetimeWorld::updateSurface(Dice& dice)
 {
   for (std::size_t times = 1 + dice.below(3); times > 0; --times)
@@ -295,6 +364,18 @@ void LifetimeWorld::updateRaster(Dice& dice)
   }
   this->bringUpToDate(raster_, dice);
   this->checkRaster(true);
+}
+
+void LifetimeWorld::updateMesh(Dice& dice)
+{
+  hasMesh_ = true;
+  if (dice.below(2) == 0)
+  {
+    input_->Modified();
+    isCurrent_ = false;
+  }
+  this->bringUpToDate(mesh_, dice);
+  this->checkMesh();
 }
 
 /// As writers of pieces request a raster.

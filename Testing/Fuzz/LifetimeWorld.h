@@ -16,15 +16,17 @@
 
 class vtkAdaptiveHilbertDelaunay2D;
 class vtkAdaptiveHilbertInterpolation2D;
+class vtkAdaptiveHilbertQualityMesh2D;
 
 namespace ahd
 {
 namespace fuzz
 {
 
-/// The state of a program: a filter that triangulates, one that interpolates, their input and
-/// connections. Steps are operations of programs; after any of them both filters give the results
-/// of new ones. Where they do not, or the sanitizer finds an invalid access, the program ends.
+/// The state of a program: a filter that triangulates, one that interpolates, one that makes a
+/// quality mesh, their input and connections. Steps are operations of programs; after any of them
+/// the filters give the results of new ones. Where they do not, or the sanitizer finds an invalid
+/// access, the program ends.
 class LifetimeWorld
 {
 public:
@@ -56,18 +58,22 @@ private:
   // results
   void updateSurface(Dice& dice);
   void updateRaster(Dice& dice);
+  void updateMesh(Dice& dice);
   void updatePieces(Dice& dice);
   void interpolateOnOutput(Dice& dice);
   void updateInThreads(Dice& dice);
   // settings and connections
   void setSurface(Dice& dice);
   void setRaster(Dice& dice);
+  void setNumbers(Dice& dice);
+  void setMesh(Dice& dice);
   void setTransform(Dice& dice);
   void connect(Dice& dice);
   void giveTime(Dice& dice);
   void addConsumer(Dice& dice);
   void deleteConsumer(Dice& dice);
   void newFilter(Dice& dice);
+  void newMesh(Dice& dice);
   // inputs
   void newInput(Dice& dice);
   void changeInPlace(Dice& dice);
@@ -86,6 +92,8 @@ private:
   void configure(
     vtkAdaptiveHilbertDelaunay2D* surface, vtkAdaptiveHilbertInterpolation2D* raster) const;
   void configure(vtkAdaptiveHilbertDelaunay2D* surface) const;
+  void configureNumbers(vtkAdaptiveHilbertDelaunay2D* surface) const;
+  void configure(vtkAdaptiveHilbertQualityMesh2D* mesh) const;
   void attach();
   void inputModified();
   void makeNew(vtkSmartPointer<vtkAdaptiveHilbertDelaunay2D>& surface,
@@ -94,18 +102,21 @@ private:
   void bringUpToDate(vtkAlgorithm* filter, Dice& dice) const;
   void checkSurface();
   void checkRaster(bool isWhole);
+  void checkMesh();
   void workWith(vtkAlgorithm* filter, unsigned event, const std::function<void()>& act);
-  vtkAlgorithm* oneFilter(Dice& dice) const;
+  vtkAlgorithm* oneFilter(Dice& dice);
 
   vtkSmartPointer<vtkAdaptiveHilbertDelaunay2D> surface_;
   vtkSmartPointer<vtkAdaptiveHilbertInterpolation2D> raster_;
+  vtkSmartPointer<vtkAdaptiveHilbertQualityMesh2D> mesh_;
   vtkSmartPointer<vtkPolyData> input_, source_;
   vtkSmartPointer<TimedPoints> stream_;
   vtkSmartPointer<vtkAbstractTransform> transform_;
   std::vector<vtkSmartPointer<vtkAlgorithm>> consumers_;
   Lenders lenders_;
   Rubbish rubbish_;
-  std::array<std::uint8_t, 12> settings_{}; // of the surface, then of the raster
+  std::array<std::uint8_t, 21> settings_{}; // 8 of the surface, 4 of the raster, 6 of which points
+                                            // it has, 3 of the mesh
   enum Route
   {
     kData,
@@ -114,6 +125,7 @@ private:
   } route_ = kData;
   double time_ = 0.0;
   bool isCurrent_ = false; // is the surface that of the input?
+  bool hasMesh_ = false;   // was a mesh updated?
 };
 
 } // namespace fuzz

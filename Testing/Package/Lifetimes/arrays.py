@@ -49,6 +49,17 @@ ASKS.update({
 })
 
 
+def meshed(made):
+    """The arrays of its mesh."""
+    mesh = made.refine(25, maximum_added=50)
+    return tuple(getattr(mesh, name) for name in (
+        "points", "triangles", "regions", "edges", "markers", "on_boundary", "corners", "weights", "bad", "reasons"))
+
+
+#: Beside those, as they take longer.
+MORE = {"errors": lambda made, _: made.errors, "mesh": lambda made, _: meshed(made)}
+
+
 def closure_of(thing):
     """A function that refers to itself and to something else."""
 
@@ -89,10 +100,11 @@ class Item:
         return self.make({name: copy.deepcopy(array) for name, array in self.given.items()})
 
     def check(self, name, at):
-        found = outcome(lambda: ASKS[name](self.made, at))
+        ask = ASKS.get(name) or MORE[name]
+        found = outcome(lambda: ask(self.made, at))
         if self.changed and found[0] == "RuntimeError":
             return None
-        expect_same(name, found, outcome(lambda: ASKS[name](self.fresh(), at)))
+        expect_same(name, found, outcome(lambda: ask(self.fresh(), at)))
         return found
 
 
@@ -163,6 +175,25 @@ class Arrays(World):
         plane = Turned(rng.random(), rng.randrange(3), self.kept)
         inputs = {"points": np.random.default_rng(rng.randrange(99)).random((rng.choice((7, 300)), 3))}
         self.items.append(Item(lambda given: delaunay(**given, plane=plane), inputs))
+
+    @step(3)
+    def simplify(self, rng):
+        """A lighter one of the same points, by arrays that its program changes afterwards."""
+        item, random = self._item(rng), np.random.default_rng(rng.randrange(99))
+        numbers = random.random((3, len(item.given["points"])))
+        given = dict(maximum_error=rng.choice((0.0, 0.1, 0.3)), second_pass=rng.random() < 0.3, values=numbers[0])
+        if rng.random() < 0.3:
+            given.update(weights=numbers[1], keep=numbers[2] < 0.1)
+        if rng.random() < 0.2:
+            given.update(maximum_vertices=10)
+        own, make, other = copy.deepcopy(given), item.make, copy.copy(item)
+        other.make = lambda inputs: make(inputs).simplify(**copy.deepcopy(own))
+        with contextlib.suppress(ValueError, RuntimeError):  # means exclude it; the inputs are others now
+            other.made = item.made.simplify(**given)
+            numbers[:] = 7.0
+            other.check("triangles", None)
+            self.items.append(other)
+            del self.items[:-5]
 
     @step(2)
     def make_and_fail(self, rng):
@@ -252,6 +283,10 @@ class Arrays(World):
             for array in found if isinstance(found, tuple) else (found,):
                 if isinstance(array, np.ndarray):
                     self.kept.add(name, array)
+
+    @step(4)
+    def ask_more(self, rng):
+        self._item(rng).check(rng.choice(list(MORE)), None)
 
     @step(3)
     def ask_in_threads(self, rng):

@@ -28,6 +28,7 @@ def tested_class(name):
 
 Delaunay = tested_class("vtkAdaptiveHilbertDelaunay2D")
 Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
+QualityMesh = tested_class("vtkAdaptiveHilbertQualityMesh2D")
 
 
 # --- Inputs -------------------------------------------------------------------------------------------------

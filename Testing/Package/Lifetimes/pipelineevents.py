@@ -23,9 +23,13 @@ class WhileItWorks:
 
         return filter.AddObserver("ProgressEvent", hear)
 
+    def _one_filter(self, rng):
+        filter = rng.choice((self.surface, self.raster))
+        return self.mesh if self.hasMesh and rng.random() < 0.3 else filter
+
     @step(3)
     def abort(self, rng):
-        filter = rng.choice((self.surface, self.raster))
+        filter = self._one_filter(rng)
         tag = self._observe(filter, rng.randrange(1, 5), lambda: filter.SetAbortExecute(1))
         filter.Modified()
         filter.Update()
@@ -45,6 +49,7 @@ class WhileItWorks:
                 self.transform = None
                 self.surface.SetTransform(None)
                 self.raster.GetTriangulation().SetTransform(None)
+                self.mesh.GetTriangulation().SetTransform(None)
             elif how == 1:
                 self.data.Initialize()
             elif how == 2 and self.source is not None:
@@ -52,11 +57,12 @@ class WhileItWorks:
             elif how <= 3:
                 self.surface.SetSourceData(None)
                 self.raster.SetSourceData(None)
+                self.mesh.SetSourceData(None)
             else:
                 self.data.SetPoints(vtkPoints())
             self.held.append(Rubbish.fill(rng))
 
-        filter = rng.choice((self.surface, self.raster))
+        filter = self._one_filter(rng)
         tag = self._observe(filter, rng.randrange(1, 6), act)
         filter.Modified()
         filter.Update()
@@ -71,7 +77,7 @@ class WhileItWorks:
         exception."""
         if self.route == "stream":
             return
-        filter, asked, tags = rng.choice((self.surface, self.raster)), threading.Event(), []
+        filter, asked, tags = self._one_filter(rng), threading.Event(), []
 
         def act():
             filter.RemoveObserver(tags[0])

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The world of a program with VTK's pipelines: see worlds.py. One filter that triangulates and one that interpolates
-live through the whole sequence; after any operations, they give the results of new ones."""
+"""The world of a program with VTK's pipelines: see worlds.py. One filter that triangulates, one that interpolates and
+one that makes quality meshes live through the whole sequence; after any operations, they give the results of new
+ones."""
 
 import contextlib
 import gc
@@ -14,6 +15,7 @@ from pipelinedata import (
     make_source, named, part_of, points_of, random_of,
 )  # fmt: skip
 from pipelineevents import WhileItWorks
+from pipelinemesh import WithMesh
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
@@ -28,11 +30,14 @@ SURFACE = {"SourceMode": (0, 1), "CrossingMode": (0, 1), "FillRule": (0, 1), "Pr
            "Tolerance": (0.0, 0.01), "KeepTriangulation": (True, True, False), "GenerateRegionIds": (False, True),
            "GenerateNeighbors": (False, True), "GenerateFate": (False, True), "DuplicatePolicy": (0, 1, 3),
            "NumberOfThreads": (1, 2), "GenerateVoronoi": (False, True)}
+NUMBERS = {"MaximumError": (0.0, 0.02, 0.1, 0.4), "MaximumNumberOfVertices": (0, 0, 20), "SecondPass": (False, True),
+           "KeptPointsOnly": (True, True, False), "GenerateErrors": (False, False, True), "ValueArrayName": ("", "h"),
+           "WeightArrayName": ("", "", "k"), "KeepArrayName": ("", "", "vtkGhostType")}
 RASTER = {"Method": (0, 1, 3), "Outside": (0, 1), "GenerateGradients": (False, True), "OutputType": (0, 0, 1)}
 
 
-class Pipelines(WhileItWorks, World):
-    """Two filters, their connections, and all operations on them."""
+class Pipelines(WhileItWorks, WithMesh, World):
+    """Three filters, their connections, and all operations on them."""
 
     def __init__(self):
         super().__init__()
@@ -52,6 +57,10 @@ class Pipelines(WhileItWorks, World):
         self._connect()
 
     def _connect(self):
+        self._connect_inputs()
+        self._connect_mesh()
+
+    def _connect_inputs(self):
         self.isCurrent = False
         if self.route == "stream":
             self.stream = self.stream or Source()
@@ -68,17 +77,20 @@ class Pipelines(WhileItWorks, World):
         self._set(self.surface, self.raster)
         self.surface.SetSourceData(self.source)
         self.raster.SetSourceData(self.source if self.route != "surface" else None)
+        self._apply_mesh()
 
     def _set(self, surface, raster):
-        for name, value in self.settings.items():
-            getattr(surface, "Set" + name)(value)
-            getattr(raster.GetTriangulation(), "Set" + name)(value)
-        for filter in (surface, raster.GetTriangulation()):
-            filter.SetTransform(self.transform)
+        self._set_triangulation(surface)
+        self._set_triangulation(raster.GetTriangulation())
         for name, value in self.wishes.items():
             getattr(raster, "Set" + name)(*(value if isinstance(value, tuple) else (value,)))
         if self.route == "surface" and self.source is not None:
             raster.SetMethod(0)  # the others depend on constraints, of which a surface's own triangles tell less
+
+    def _set_triangulation(self, filter):
+        for name, value in self.settings.items():
+            getattr(filter, "Set" + name)(value)
+        filter.SetTransform(self.transform)
 
     def _now(self):
         """A copy of the current input."""
@@ -201,6 +213,16 @@ class Pipelines(WhileItWorks, World):
     def set_surface(self, rng):
         name = rng.choice(list(SURFACE))
         self.settings[name] = rng.choice(SURFACE[name])
+        self.isCurrent = False
+        self._apply()
+
+    @step(3)
+    def set_numbers(self, rng):
+        """Which points the surface has. Means of heights exclude that it has fewer."""
+        for name in ("MaximumError", rng.choice(list(NUMBERS))):
+            self.settings[name] = rng.choice(NUMBERS[name])
+        if rng.random() < 0.8:
+            self.settings["DuplicatePolicy"] = 0
         self.isCurrent = False
         self._apply()
 
@@ -460,3 +482,5 @@ class Pipelines(WhileItWorks, World):
     def end(self):
         self.update_surface(random.Random(1))
         self.update_raster(random.Random(2))
+        if self.hasMesh:
+            self.update_mesh(random.Random(3))
