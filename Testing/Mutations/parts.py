@@ -46,10 +46,10 @@ VTK_LAYER = Tests(
     r"Filter\.Ranks\.Ranks(Compare\.2|(Sample|Gathered|Blocks|Updates)\.3)",
 )
 JOB = Tests(
-    ("EngineCInterface", "EngineJobHashes", "EngineJobProgress", "EngineJobSurface", "EngineJobTrouble",
-     "AdaptiveHilbertDelaunayPythonLibrary"),
+    ("EngineCInterface", "EngineHiddenOperators", "EngineJobHashes", "EngineJobProgress", "EngineJobSurface",
+     "EngineJobTrouble", "AdaptiveHilbertDelaunayPythonLibrary"),
     (),
-    r"Engine\.(CInterface|Job\w+)|Package\.(Arrays|Class\.Python)\..*",
+    r"Engine\.(CInterface|HiddenOperators|Job\w+)|Package\.(Arrays|Class\.Python)\..*",
 )
 # By the beginning of a file's path; the longest that fits counts.
 TESTS = {

@@ -22,6 +22,32 @@ static int64_t insert_point(ahd_job* job, double x, double y)
   return id;
 }
 
+/* Memory is asked for points that come, not for the other calls. */
+static void test_memory_limit(void)
+{
+  const double xy[] = { 0, 0, 4, 0, 0, 4, 1, 1 }, to[] = { 2, 1 };
+  const int64_t ids[] = { 3, 1 };
+  double left[8];
+  int64_t first = -7, place[3], written[4], pairs[2];
+  int32_t kind = 0;
+  uint8_t outcome = 0;
+  ahd_job* job = ahd_job_new();
+  CHECK_OK(job, ahd_edit_insert(job, xy, 4, &first));
+  CHECK_OK(job, ahd_set_int(job, "memory_limit", 1));
+  CHECK_STATUS(job, AHD_MEMORY_LIMIT, ahd_edit_insert(job, to, 1, &first));
+  CHECK_OK(job, ahd_edit_move(job, ids, to, 1, &outcome));
+  CHECK_OK(job, ahd_edit_constrain(job, ids, 1, &outcome));
+  CHECK(outcome == AHD_EDIT_DONE);
+  CHECK_OK(job, ahd_edit_locate(job, to, 1, &kind, place));
+  CHECK(kind == AHD_ON_VERTEX && place[0] == 3);
+  CHECK_OK(job, ahd_edit_write(job, written, left, pairs));
+  CHECK(left[6] == 2 && left[7] == 1 && pairs[0] == 1 && pairs[1] == 3);
+  CHECK_OK(job, ahd_edit_release(job, ids, 1, &outcome));
+  CHECK_OK(job, ahd_edit_remove(job, ids, 1, &outcome));
+  CHECK(outcome == AHD_EDIT_DONE);
+  ahd_job_free(job);
+}
+
 /* A run of what is left has these triangles around the point, and as many as another one. */
 static void test_a_history(void)
 {
@@ -156,5 +182,6 @@ static void test_refusals(void)
 void test_edit(void)
 {
   test_a_history();
+  test_memory_limit();
   test_refusals();
 }

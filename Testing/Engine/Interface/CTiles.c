@@ -102,18 +102,20 @@ static void free_bytes(tiles* all)
 static void visit_all(tiles* all)
 {
   int64_t ids[kPoints], count;
-  uint64_t part, child, numbers;
+  uint64_t part, child, numbers, most = 0;
   int64_t* counts = ahd_read_ids(all->job, "tiles_counts", &numbers);
   for (part = 0; part < all->facts.leaves; ++part)
   {
     double* xy = points_of(all, part, ids, &count);
     const ahd_array points = places(xy, count);
     CHECK(counts[part] == count);
+    most = (uint64_t)count > most ? (uint64_t)count : most;
     CHECK_OK(all->job, ahd_tiles_visit(all->job, part, &points, ids));
     all->borders[part] = kept(all->job, "tiles_border");
     all->owns[part] = kept(all->job, "tiles_own");
     free(xy);
   }
+  CHECK(all->facts.most_points == most);
   for (; part < all->facts.leaves + all->facts.nodes; ++part)
   {
     ahd_bytes below[4];
@@ -261,7 +263,9 @@ static void expect_refusals(tiles* all)
   CHECK_STATUS(job, AHD_BAD_VALUE, ahd_tiles_merge(job, 3, &all->borders[0], 1));
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_merge(job, all->facts.leaves, &all->borders[0], 1));
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_list(job, 3, shares, above - 1));
-  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_list(job, 3, NULL, 1));
+  CHECK_NULL(job, "bytes", ahd_tiles_list(job, 3, NULL, 1));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_list(job, 3, NULL, 0));
+  CHECK_SAYS(job, "what visits of the leaf and the nodes above it gave");
   CHECK_STATUS(
     job, AHD_BAD_ARRAY, ahd_tiles_triangles(job, 3, &points, ids, &all->owns[2], shares, above));
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_triangles(job, 3, &points, ids, &none, shares, above));
