@@ -11,30 +11,6 @@
 namespace ahd
 {
 
-namespace
-{
-
-/// Calls visit(from, to) for each segment, places of corners.
-template <typename Visit>
-void eachSegment(const TileLines& lines, Visit visit)
-{
-  for (std::size_t chain = 0; chain != lines.chains(); ++chain)
-  {
-    const auto begin = static_cast<std::size_t>(lines.offsets[chain]);
-    const auto end = static_cast<std::size_t>(lines.offsets[chain + 1]);
-    for (std::size_t k = begin; k + 1 < end; ++k)
-    {
-      visit(lines.corners[k], lines.corners[k + 1]);
-    }
-    if (chain >= lines.lines && end > begin + 1)
-    {
-      visit(lines.corners[end - 1], lines.corners[begin]);
-    }
-  }
-}
-
-} // namespace
-
 void TileVisits::dealCorners()
 {
   corners_.resize(plan_.hasLines() ? plan_.leaves() : 0);
@@ -82,22 +58,9 @@ bool TileVisits::joinSegments(
   std::size_t part, std::size_t points, Surroundings& around, Ticker& ticker) const
 {
   const Bounds& region = plan_.reach(part);
-  std::vector<EndPair> pairs;
-  bool goesOn = true;
-  const auto look = [&](const Point& from, const Point& to)
-  {
-    const EndPair pair{ from, to };
-    if (isFinite(from) && isFinite(to) && !(from == to) && SegmentTree::reaches(pair, region))
-    {
-      pairs.push_back(pair);
-    }
-    goesOn = goesOn && ticker.step();
-  };
-  if (!isEmpty(region))
-  {
-    eachSegment(plan_.facts().lines, look);
-  }
-  return goesOn && around.segments.build(std::move(pairs), region, points / 4, ticker);
+  std::vector<EndPair> found;
+  return (isEmpty(region) || segments_.listIn(region, found, ticker)) &&
+    around.segments.build(std::move(found), region, points / 4, ticker);
 }
 
 namespace
@@ -141,7 +104,7 @@ bool placeCorners(const TileLines& lines, const std::vector<BorderPoint>& points
   {
     const auto begin = static_cast<std::size_t>(lines.offsets[chain]);
     const auto end = static_cast<std::size_t>(lines.offsets[chain + 1]);
-    const bool isOpen = end > begin && !(lines.corners[begin] == lines.corners[end - 1]);
+    const bool isOpen = end > begin + 1 && !(lines.corners[begin] == lines.corners[end - 1]);
     if (!inSteps(begin, end, ticker, put))
     {
       return false;

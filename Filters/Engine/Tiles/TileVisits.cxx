@@ -12,6 +12,7 @@ namespace ahd
 
 TileVisits::TileVisits(TileFacts facts)
   : plan_(std::move(facts))
+  , segments_(plan_.facts().lines)
 {
   std::vector<Bounds> reaches;
   for (std::size_t k = 0; k != plan_.leaves(); ++k)

@@ -7,6 +7,7 @@
 #include "../Points/Points.h"
 #include "TileBytes.h"
 #include "TilePlan.h"
+#include "TileSegments.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -114,6 +115,7 @@ private:
   Status constrain(Part& part, const Context& context) const;
 
   TilePlan plan_;
+  TileSegments segments_; ///< of the plan
   BlockBoxes boxes_;
   std::vector<std::vector<Point>> corners_; ///< of lines and loops, by leaves, sorted; empty: none
 };
