@@ -172,7 +172,9 @@ void vtkAHDGatheredExecution::Execute(
   vtkAHDInput input(this->Settings, this->Gather.GetInput(), this->Gather.GetSource());
   vtkAHDExecution execution(
     this->Settings, input, workspace, this->Context, this->Gather.EstimateBytes());
+  const std::size_t estimate = report.estimate; // with the ids that are added here
   report = execution.Run(outputs);
+  report.estimate = std::max(report.estimate, estimate);
   if (report.status != ahd::Status::Ok)
   {
     return;

@@ -37,13 +37,14 @@ class Tests:
 
 
 VTK_LAYER = Tests(
-    ("FilterTests", "FaultsCancel", "FaultsMemory", "AdaptiveHilbertDelaunayFiltersPython"),
+    ("FilterTests", "FaultsCancel", "FaultsMemory", "AdaptiveHilbertDelaunayFiltersPython",
+     "AdaptiveHilbertDelaunayPythonLibrary"),
     (
         ("FilterTests", "*"),
         ("FaultsCancel", "-Long*"),
         ("FaultsMemory", "-Long*"),
     ),
-    r"Filter\.Ranks\.Ranks(Compare\.2|(Sample|Gathered|Blocks|Updates)\.3)",
+    r"Filter\.Ranks\.Ranks(Compare\.2|(Sample|Gathered|Blocks|Updates)\.3)|Package\.Class\.Compiled\.quality",
 )
 JOB = Tests(
     ("EngineCInterface", "EngineHiddenOperators", "EngineJobHashes", "EngineJobProgress", "EngineJobSurface",
