@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Set, Tuple
 
 import numpy as np
 
@@ -12,10 +12,11 @@ from .._raster import Raster
 from . import _pvtp
 from ._leaves import Leaves, Plan
 from ._points import records_of
-from ._store import Store, written
+from ._store import Store, sync, written
 from ._tiff import Window
 
 CELLS = 1 << 22  #: that are sampled at a time
+BATCH = 1 << 20  #: points of groups that are done before files of leaves are removed, as that waits for the disk
 
 
 class Wanted(NamedTuple):
@@ -66,6 +67,25 @@ class Finish:
     def _has_cells(self, leaf: int) -> bool:
         return self.wanted.raster is not None and min(self.wanted.windows[leaf][2:]) > 0
 
+    def sync(self) -> None:
+        """What is done, and what the first visits made, is on the disk."""
+        for folder in ("border", "share", "cells"):
+            sync(self.store.path(folder))
+        if self.wanted.pieces is not None:
+            sync(self.wanted.pieces)
+
+    def needed(self, leaves: Leaves, group: range) -> Set[int]:
+        """The leaves whose points a group without lines needs."""
+        lists = [leaves.listed(leaf, self._shares(leaf)) for leaf in group]
+        return set(group).union(*(np.unique(self._leaf_of(numbers)).tolist() for numbers in lists))
+
+    def _shares(self, leaf: int) -> List[np.ndarray]:
+        return [self.store.load_bytes("share", str(node)) for node in self.plan.above(leaf)]
+
+    def _leaf_of(self, numbers: np.ndarray) -> np.ndarray:
+        """Of points."""
+        return np.searchsorted(self.begins, numbers, "right") - 1
+
     def work(self, leaves: Leaves, group: range) -> None:
         pieces = [self._leaf(leaves, leaf) for leaf in group]
         if self.wanted.pieces is not None:
@@ -75,8 +95,7 @@ class Finish:
     def _leaf(self, leaves: Leaves, leaf: int) -> np.ndarray:
         """Writes its cells. Returns its triangles, of numbers of points in the order of the leaves."""
         own = records_of(self.store, leaf, self.kind)["xyz"]
-        shares = [self.store.load_bytes("share", str(node)) for node in self.plan.above(leaf)]
-        isThere = True
+        shares, isThere = self._shares(leaf), True
         if self.wanted.hasLines:
             given = np.ascontiguousarray(own), self.store.load_bytes("own", str(leaf)), shares
             numbers, isThere = leaves.surface(leaf, *given, self.wanted.longest)
@@ -98,7 +117,7 @@ class Finish:
     def _records(self, numbers: np.ndarray) -> np.ndarray:
         """Of points of any leaves."""
         made = np.empty(len(numbers), self.kind)
-        leaf_of = np.searchsorted(self.begins, numbers, "right") - 1
+        leaf_of = self._leaf_of(numbers)
         for leaf in np.unique(leaf_of).tolist():
             isHere = leaf_of == leaf
             made[isHere] = records_of(self.store, leaf, self.kind).take(numbers[isHere] - self.begins[leaf])

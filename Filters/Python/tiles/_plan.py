@@ -12,8 +12,9 @@ from typing import Dict, NamedTuple, Optional, Tuple
 import numpy as np
 
 from .._interface import available_memory
+from . import _pvtp
 from ._errors import BadOptions, NoRoom
-from ._finish import CELLS
+from ._finish import BATCH, CELLS
 from ._points import Counted
 from ._read import ROWS
 from ._work import IN_ORDER
@@ -23,9 +24,11 @@ _BASE = 150e6  # bytes: Python, libraries, a batch of points that is read
 _BATCH = 2.2 * ROWS  # for each byte of a point's record: a batch that is read ahead, or dealt, on several threads
 _LEAF = 250.0  # bytes for each point of a leaf that a thread is at work on
 _CELL = 22.0  # and for each of its cells
-_PIECE = 190.0  # and for each point of a piece of a TIN
-_SHARE = 300.0  # bytes of borders and shares for each sqrt(points) of a leaf
-_SCATTER, _VISIT, _FINISH, _TIN = 60e-9, 210e-9, 230e-9, 900e-9
+_PIECE = 175.0  # and for each point of a piece of a TIN
+_SHARE = 520.0  # bytes of borders and shares for each sqrt(points) of a leaf
+_RIM = 0.8  # times the root of the groups: so many are done and have points that others need
+_SCATTER, _VISIT, _FINISH = 60e-9, 210e-9, 230e-9
+_TIN = {"zlib": 850e-9, "isal": 350e-9}[_pvtp.DEFLATE]
 _CELLS = {"linear": 70e-9, "natural": 450e-9, "laplace": 450e-9, "nearest": 150e-9}
 _MOSAIC, _TIFF = 20e-9, 50e-9
 
@@ -42,8 +45,9 @@ class Plan:
         How many boxes the points are divided into.
     shape : (rows, columns) or None
         Of the raster.
-    memory, disk, output : int
-        Bytes at the most: of memory; of the work folder; of the results (uncompressed cells, a usual TIN).
+    memory, disk, output, both : int
+        Bytes at the most, from now on: of memory; of the work folder; of the results (uncompressed cells, a usual TIN);
+        of work folder and results at a time, which is less than the sum, as points of what is done are removed.
     seconds : float
         Of all steps after counting.
     threads : int
@@ -57,6 +61,7 @@ class Plan:
     memory: int
     disk: int
     output: int
+    both: int
     seconds: float
     threads: int
     steps: Dict[str, float]  #: seconds of each
@@ -65,11 +70,11 @@ class Plan:
         left_out = ["%s %s" % (_grouped(n), what) for n, what in (
             (self.not_finite, "not finite"), (self.other_class, "of other classes")) if n]  # fmt: skip
         cells = "" if self.shape is None else "raster   %s x %s cells\n" % tuple(map(_grouped, self.shape[::-1]))
-        return ("points   %s%s\nleaves   %s\n%smemory   %s\ndisk     %s for the work, up to %s for the results\n"
+        return ("points   %s%s\nleaves   %s\n%smemory   %s\ndisk     %s (work %s, results up to %s)\n"
                 "time     %s on %d thread%s" % (
                     _grouped(self.points), " (left out: %s)" % ", ".join(left_out) if left_out else "",
-                    _grouped(self.leaves), cells, bytes_said(self.memory), bytes_said(self.disk),
-                    bytes_said(self.output), time_said(self.seconds), self.threads,
+                    _grouped(self.leaves), cells, bytes_said(self.memory), bytes_said(self.both),
+                    bytes_said(self.disk), bytes_said(self.output), time_said(self.seconds), self.threads,
                     "s" * (self.threads > 1)))  # fmt: skip
 
 
@@ -79,7 +84,9 @@ class Kind(NamedTuple):
     method: str
     dtype: str
     record: int  #: bytes of a point in the work folder
+    records: int  #: and of all that are, or will be, there
     piece: int  #: points of a piece of a TIN; 0: there is none
+    keeps: bool  #: are the points of what is done kept, as with lines?
 
 
 def planned(
@@ -97,9 +104,12 @@ def planned(
     steps = {"scatter": read + _SCATTER * points, "visit": _VISIT * points / at_once,
              "finish": (_FINISH * points + _TIN * tin + _CELLS[kind.method] * cells) / at_once,
              "write": (_MOSAIC + _TIFF / threads) * cells}  # fmt: skip
-    return Plan(points, counted.not_finite, counted.other_class, leaves, shape, int(memory),
-                int(points * kind.record + borders + width * cells), int(output),
-                sum(steps.values()), threads, steps)  # fmt: skip
+    groups = max(1.0, points / kind.piece if kind.piece else leaves)
+    kept = 1.0 if kind.keeps else min(1.0, _RIM / math.sqrt(groups) + BATCH / points)
+    disk, both = (borders + max(kind.records, more) + kept * min(kind.records, more) for more in (
+        width * cells, width * cells + output))  # fmt: skip
+    return Plan(points, counted.not_finite, counted.other_class, leaves, shape, int(memory), int(disk), int(output),
+                int(both), sum(steps.values()), threads, steps)  # fmt: skip
 
 
 def limit(memory: Optional[int]) -> int:
@@ -114,8 +124,8 @@ def check(plan: Plan, memory: Optional[int], work: str, output: str, used: Tuple
         raise NoRoom("%s of memory are needed, and %s are %s" % (
             bytes_said(plan.memory), bytes_said(most), "allowed" if most == memory else "available"))  # fmt: skip
     isSame = os.stat(work).st_dev == os.stat(output).st_dev
-    left, results = max(0, plan.disk - used[0]), max(0, plan.output - used[1])
-    for folder, needed in ((work, left + results * isSame), (output, results)):
+    left, results = plan.both - sum(used) if isSame else plan.disk - used[0], plan.output - used[1]
+    for folder, needed in ((work, left), (output, min(left, results) if isSame else results)):
         free = shutil.disk_usage(folder).free
         if needed > free:
             raise NoRoom("%s on the disk of %s are needed, and %s are free" % (

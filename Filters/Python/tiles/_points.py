@@ -22,9 +22,13 @@ from ._work import Workers, ahead
 Tell = Callable[[int], Any]  # how many points more are done
 
 XYZ = np.dtype([("xyz", "<f8", (3,))])
-#: With what a TIN has beside it, the number of the point in the files in their order.
-FULL = np.dtype([("xyz", "<f8", (3,)), ("id", "<i8"), *_read.FIELDS])
 COMMIT = 1 << 26  #: points that may have to be read again after the end of a run
+
+
+def full(fields: Sequence[str]) -> np.dtype:
+    """With what a TIN has beside it: the number of the point in the files in their order, and those of _read.FIELDS
+    that some file has."""
+    return np.dtype([*XYZ.descr, ("id", "<i8"), *(field for field in _read.FIELDS if field[0] in fields)])
 
 
 class Place(NamedTuple):
@@ -36,7 +40,7 @@ class Place(NamedTuple):
 
 
 class Batch(NamedTuple):
-    """Points that are kept, of kind FULL or XYZ, and how far all is read with them."""
+    """Points that are kept, of the kind of `Points`, and how far all is read with them."""
 
     records: np.ndarray
     read: int
@@ -55,12 +59,10 @@ class Counted(NamedTuple):
 
 
 class Points:
-    def __init__(self, paths: Sequence[str], classes: Sequence[int], needsZ: bool, isFull: bool, chains: Chains
-                 ) -> None:  # fmt: skip
-        """`needsZ`: are they for heights? `isFull`: do they keep more than x, y, z? `chains`: whose corners are points,
-        too, behind those of all files."""
+    def __init__(self, paths: Sequence[str], classes: Sequence[int], needsZ: bool, chains: Chains) -> None:
+        """`needsZ`: are they for heights? `chains`: whose corners are points, too, behind those of all files."""
         self.paths, self.classes, self.needsZ = list(paths), list(classes), needsZ
-        self.kind, self.chains = FULL if isFull else XYZ, chains
+        self.kind, self.chains = XYZ, chains  # which may become full()
         self.threads = 1  # that read
         self.heads: Dict[str, _read.Head] = {}
         self.skipped: Dict[str, str] = {}
@@ -114,7 +116,7 @@ class Points:
     def _batches(self, start: Place) -> Generator[Batch, None, None]:
         before = start.before
         if start == Place():
-            self.not_finite = self.other_class = 0
+            self.not_finite, self.other_class, self.fields = 0, 0, set()
         for number, path in enumerate(self.paths):
             if number < start.file:
                 continue
@@ -128,7 +130,7 @@ class Points:
         if len(corners) and start.file <= end:
             made = np.zeros(len(corners), self.kind)
             made["xyz"] = corners
-            if self.kind == FULL:
+            if self.kind != XYZ:
                 made["id"] = before + np.arange(len(corners))
             yield Batch(made, 0, Place(end + 1, 0, before))
 
@@ -152,15 +154,15 @@ class Points:
     def _records(self, chunk: _read.Chunk, kept: Optional[np.ndarray], first: int) -> np.ndarray:
         """`kept`: which of them; None: all."""
         xyz = np.ascontiguousarray(chunk.xyz if kept is None else chunk.xyz.take(kept, axis=0))
+        columns = {name: getattr(chunk, name) for name, _ in _read.FIELDS if getattr(chunk, name) is not None}
+        self.fields.update(columns)
         if self.kind == XYZ:
             return xyz.view(XYZ).ravel()
         made = np.zeros(len(xyz), self.kind)
         made["xyz"] = xyz
         made["id"] = first + (np.arange(len(xyz)) if kept is None else kept)
-        for name, values in ((name, getattr(chunk, name)) for name, _ in _read.FIELDS):
-            if values is not None:
-                self.fields.add(name)
-                made[name] = values if kept is None else values.take(kept)
+        for name in columns.keys() & set(self.kind.names or ()):
+            made[name] = columns[name] if kept is None else columns[name].take(kept)
         return made
 
 
@@ -255,7 +257,7 @@ def scatter(points: Points, workers: Workers, counts: np.ndarray, store: Store, 
         if store.has(STARTED):
             saved = store.load(STARTED)
         else:
-            saved = {"place": Place(), "sizes": [0] * len(counts), "isDone": False}
+            saved = _nothing(len(counts))
         if saved["isDone"]:
             return
         place, sizes, since = Place(*saved["place"]), saved["sizes"], 0
@@ -285,6 +287,20 @@ def scatter(points: Points, workers: Workers, counts: np.ndarray, store: Store, 
         _commit(store, dirty, {"place": place, "sizes": sizes, "isDone": True})
 
 
+def _nothing(leaves: int) -> Dict[str, Any]:
+    """How far a scatter is that begins."""
+    return {"place": Place(), "sizes": [0] * leaves, "isDone": False}
+
+
+def is_scattered(store: Store) -> bool:
+    return store.has(STARTED) and bool(store.load(STARTED)["isDone"])
+
+
+def scatter_anew(store: Store, leaves: int) -> None:
+    """The next scatter() begins with the first file. WriteFailed."""
+    store.save(STARTED, _nothing(leaves))
+
+
 def _by_leaf(records: np.ndarray, leaves: Leaves, count: int) -> List[Tuple[int, np.ndarray]]:
     """Of each of so many leaves that has some its records, in their order."""
     of = leaves.leaf_of(np.ascontiguousarray(records["xyz"]))
@@ -305,6 +321,16 @@ def _commit(store: Store, dirty: Set[int], state: Dict[str, Any]) -> None:
 
 def _leaf_file(store: Store, leaf: int) -> str:
     return store.path("leaf", "%d" % leaf)
+
+
+def has_records(store: Store, leaf: int) -> bool:
+    """Is its file there?"""
+    return os.path.exists(_leaf_file(store, leaf))
+
+
+def remove_records(store: Store, leaf: int) -> None:
+    with contextlib.suppress(OSError):  # Windows keeps what a program looks at; the end of the run removes it
+        os.remove(_leaf_file(store, leaf))
 
 
 def records_of(store: Store, leaf: int, kind: np.dtype) -> np.ndarray:

@@ -24,7 +24,8 @@ from ._finish import Finish, Wanted, groups_of
 from ._leaves import Leaves
 from ._lines import chains_of
 from ._options import DUPLICATES, Options, Result, check_degrees
-from ._points import Counted, Points, count, scatter
+from ._needs import Needs
+from ._points import Counted, Points, count, full, is_scattered, scatter, scatter_anew
 from ._store import COUNTED, FINISHED, PART, STARTED, Store, failing, has_only, sync, written
 from ._visits import Visits
 from ._work import Workers
@@ -54,7 +55,7 @@ class _Told:
     def end(self) -> None:
         """Of the step."""
         if self.step:
-            self.spent[self.step] = time.monotonic() - self._begin
+            self.spent[self.step] = self.spent.get(self.step, 0.0) + time.monotonic() - self._begin
 
     def __call__(self, more: int) -> None:
         self.done += more
@@ -86,7 +87,7 @@ class Run:
         self.store = Store(options.work or options.outputs[0] + ".work")
         self.folder = os.path.splitext(os.path.abspath(options.tin))[0] if options.tin else None  # of the pieces
         chains = chains_of(options.lines, options.loops)
-        self.points = Points(self.files, options.classes, options.raster is not None, options.tin is not None, chains)
+        self.points = Points(self.files, options.classes, options.raster is not None, chains)
         threads = options.threads or _interface.threads_told() or _interface.processors()
         self.threads = self.points.threads = min(threads, 256)
 
@@ -112,6 +113,8 @@ class Run:
                 self.store.end()
             raise
         self.plan = leaves.plan()
+        if options.tin is not None:
+            self.points.kind = full(counted.fields)
         planned = self._planned(counted)
         self.show(planned)
         self._check_room(planned)
@@ -200,9 +203,11 @@ class Run:
     def _planned(self, counted: Counted) -> _plan.Plan:
         """With as many threads as there is memory for, one at least."""
         given, shape = self.options.raster, None if self.raster is None else self.raster.shape
-        kind = _plan.Kind(given.method if given else "linear", given.dtype if given else "float32",
-                          self.points.kind.itemsize + 24 * self._has_lines(),
-                          self.options.piece if self.folder else 0)  # fmt: skip
+        record, keeps = self.points.kind.itemsize + 24 * self._has_lines(), self._has_lines()
+        isLess = is_scattered(self.store) and not keeps  # as some are removed
+        kind = _plan.Kind(given.method if given else "linear", given.dtype if given else "float32", record,
+                          _bytes_in(self.store.path("leaf")) if isLess else record * counted.points,
+                          self.options.piece if self.folder else 0, keeps)  # fmt: skip
         made: Optional[_plan.Plan] = None
         for threads in range(self.threads, 0, -1):
             made = _plan.planned(counted, self.plan.counts, shape, kind, self.read, threads)
@@ -232,10 +237,11 @@ class Run:
         workers = Workers(threads, self.plan.saved, {
             "duplicates": DUPLICATES[self.options.duplicates], "threads": max(1, self.threads // threads),
             "maximum_edge_length": 0 if self._has_lines() else self.options.longest_edge})  # fmt: skip
-        self.tell.begin("scatter", self.points.said)
-        scatter(self.points, workers, self.plan.counts, self.store, self.tell)
+        self._scatter(workers)
         self._visit(workers)
-        groups = self._finish(workers, finish)
+        groups = groups_of(self.plan, self.options.piece if self.folder else 0)
+        if not self._has_all(finish):
+            self._finish(workers, finish, groups)
         self._write(finish, groups)
         self.store.end()
         if self.folder is not None:
@@ -245,33 +251,46 @@ class Run:
     def _has_lines(self) -> bool:
         return len(self.points.chains.points) > 0
 
+    def _scatter(self, workers: Workers) -> None:
+        self.tell.begin("scatter", self.points.said)
+        scatter(self.points, workers, self.plan.counts, self.store, self.tell)
+
     def _visit(self, workers: Workers) -> None:
         visits = Visits(self.store, self.plan, self.points.kind, self._has_lines())
         self.tell.begin("visit", len(visits.parents), len(visits.done))
         visits.run(workers, self.tell)
 
-    def _finish(self, workers: Workers, finish: Finish) -> List[range]:
-        groups = groups_of(self.plan, self.options.piece if self.folder else 0)
+    def _has_all(self, finish: Finish) -> bool:
+        """Need results only be put together?"""
         pieces = finish.wanted.pieces
-        isHere = pieces is None or self._is_own(pieces)
-        if self.store.has(FINISHED) and (isHere or self._is_own(cast(str, self.folder))):
-            return groups
-        if pieces is not None and not isHere:  # nothing, or what another run left
+        isThere = pieces is None or self._is_own(pieces) or self._is_own(cast(str, self.folder))
+        return self.store.has(FINISHED) and isThere
+
+    def _finish(self, workers: Workers, finish: Finish, groups: List[range]) -> None:
+        pieces = finish.wanted.pieces
+        if pieces is not None and not self._is_own(pieces):  # nothing, or what another run left
+            self.store.remove(FINISHED)  # of pieces that are gone
             with failing(pieces):
+                sync(self.store.folder)
                 shutil.rmtree(pieces, ignore_errors=True)
                 os.makedirs(pieces)
             with written(os.path.join(pieces, _pvtp.RUN)) as file:
                 file.write(self.store.key.encode())
         left = [group for group in groups if not finish.is_done(group)]
+        needs = Needs(finish, left, workers)
+        if not needs.are_there():
+            scatter_anew(self.store, len(self.plan.counts))
+            self._scatter(workers)
+        needs.begin()
         self.tell.begin("finish", len(groups), len(groups) - len(left))
 
         def ended(group: range) -> List[range]:
             self.tell(1)
+            needs.end(group)
             return []
 
         workers.run(left, finish.work, ended)
         self.store.save(FINISHED, len(groups))
-        return groups
 
     def _is_own(self, pieces: str) -> bool:
         """Are the pieces in this folder of this run?"""

@@ -20,22 +20,27 @@ from adaptivehilbertdelaunay.tiles import _command, _points, _read, _store
 POINTS = next(points for name, points in kinds(600) if name == "uniform")
 
 
-def killed_at(commit, words, isBefore, by="SIGKILL"):
-    """Runs the command in a child that gets a signal at this commit, just before or after. Returns whether it ended by
-    that."""
+def killed_at(commit, words, isBefore, by="SIGKILL", calls=("replace",)):
+    """Runs the command in a child that gets a signal at this commit, one of these calls of `os`, just before or after.
+    Returns whether it ended by that."""
     child = os.fork()
     if child == 0:
-        left, replace = [commit], os.replace
+        left = [commit]
 
-        def counted(*paths):
-            left[0] -= 1
-            if left[0] == 0 and isBefore:
-                os.kill(os.getpid(), getattr(signal, by))
-            replace(*paths)
-            if left[0] == 0 and not isBefore:
-                os.kill(os.getpid(), getattr(signal, by))
+        def counted(call):
+            def counts(*paths):
+                left[0] -= 1
+                if left[0] == 0 and isBefore:
+                    os.kill(os.getpid(), getattr(signal, by))
+                call(*paths)
+                if left[0] == 0 and not isBefore:
+                    os.kill(os.getpid(), getattr(signal, by))
 
-        os.replace, sys.stdout, sys.stderr = counted, io.StringIO(), io.StringIO()
+            return counts
+
+        for name in calls:
+            setattr(os, name, counted(getattr(os, name)))
+        sys.stdout, sys.stderr = io.StringIO(), io.StringIO()
         code = 99
         try:
             code = _command.main(words)

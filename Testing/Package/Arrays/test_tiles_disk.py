@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a run of tiles keeps on the disk: no point whose leaf is done with, no field that no file has; and pieces of a
+TIN are the same whoever compresses them."""
+
+import contextlib
+import os
+import shutil
+import unittest
+import unittest.mock
+
+import numpy as np
+from test_tiles_runs import killed_at
+from tilesupport import TilesTest, bytes_of, kinds, needs_raster, pieces_of, read_piece, tiles
+
+from adaptivehilbertdelaunay.tiles import _finish, _needs, _points, _pvtp, _read, _run, _store
+
+POINTS = next(points for name, points in kinds(600) if name == "uniform")
+
+
+class RemovalTest(TilesTest):
+    """Files of leaves are removed one by one, not with a million points."""
+
+    def setUp(self):
+        super().setUp()
+        self.path = self.saved(POINTS)
+        patch = unittest.mock.patch.object(_finish, "BATCH", 1)
+        patch.start()
+        self.addCleanup(patch.stop)
+
+    def words(self, *more):
+        return [self.path, "--tin", self.at("a.pvtp"), "--leaf", "60", "--piece", "100", *more]
+
+    def leaves(self):
+        """How many have their file."""
+        return len(os.listdir(self.at("a.pvtp.work", "leaf")))
+
+    def test_at_no_time_all_is_there(self):
+        told = []
+        tiles.make([self.path], tin=self.at("a.pvtp"), leaf=60, piece=100, threads=1,
+                   progress=lambda step, *_: told.append(self.leaves()) if step == "finish" else None)  # fmt: skip
+        self.assertEqual(told, sorted(told, reverse=True))
+        self.assertGreater(len(set(told)), 4)
+        self.assertLess(told[-1], 0.6 * told[0])
+        self.assert_is_one_piece(POINTS, self.at("a.pvtp"))
+
+    def killed(self, words, out, step):
+        """Of runs that are killed at each such commit or removal, just after or before: the same bytes. `step`: more
+        than a run has that gets nowhere, as the removal of its lock."""
+        self.assertEqual(self.command(*words)[0], 0)
+        want = [bytes_of(path) for path in out]
+        for at, isBefore in ((step, False), (step + 3, True)):
+            shutil.rmtree(self.at("a"))
+            for path in out:
+                os.remove(path)
+            more, kills = [], 0
+            while killed_at(at, [*words, *more], isBefore, calls=("replace", "remove")):
+                more, kills = ["--resume"], kills + 1
+                self.assertLess(kills, 400)
+            self.assertGreater(kills, 5)
+            self.assertEqual([bytes_of(path) for path in out], want)
+            self.assertFalse(os.path.exists(self.at("a.pvtp.work")))
+
+    @unittest.skipUnless(hasattr(os, "fork"), "no fork()")
+    def test_killed_at_every_commit_and_removal(self):
+        self.killed(self.words("--threads", "2"), [self.at("a.pvtp")], 2)
+
+    @needs_raster
+    @unittest.skipUnless(hasattr(os, "fork"), "no fork()")
+    def test_killed_with_a_raster_beside(self):
+        words = self.words("--raster", self.at("a.tif"), "--cell", "2")
+        self.killed(words, [self.at("a.pvtp"), self.at("a.tif")], 4)  # which all write the raster
+
+    def test_pieces_that_somebody_removed(self):
+        """All points are read once more."""
+        with unittest.mock.patch.object(_run.Run, "_write", side_effect=KeyboardInterrupt):
+            self.assertEqual(self.command(*self.words())[0], 130)
+        self.assertEqual(self.leaves(), 0)
+        for name in os.listdir(self.at("a.part")):
+            os.remove(self.at("a.part", name))
+        with unittest.mock.patch.object(_points, "COMMIT", 100), unittest.mock.patch.object(_read, "ROWS", 100):
+            with unittest.mock.patch.object(_points, "_commit", side_effect=[None, KeyboardInterrupt]):
+                self.assertEqual(self.command(*self.words("--resume"))[0], 130)
+            self.assertEqual(self.command(*self.words("--resume"))[0], 0)
+        self.assert_is_one_piece(POINTS, self.at("a.pvtp"))
+
+    def test_what_is_done_is_on_the_disk_first(self):
+        """A power cut may take a piece back that was renamed, not one whose folder was synced."""
+        said = []
+        sync, remove, replace = _finish.sync, _needs.remove_records, os.replace
+
+        def told(what, call):
+            return lambda *given: (said.append((what, os.path.basename(str(given[-1])))), call(*given))
+
+        with unittest.mock.patch.object(_finish, "sync", told("sync", sync)), \
+                unittest.mock.patch.object(_needs, "remove_records", told("remove", remove)), \
+                unittest.mock.patch.object(_store.os, "replace", told("replace", replace)):  # fmt: skip
+            self.assertEqual(self.command(*self.words())[0], 0)
+        removals = [k for k, (what, _) in enumerate(said) if what == "remove"]
+        self.assertGreater(len(removals), 15)
+        for k in removals:
+            pieces = [j for j in range(k) if said[j][0] == "replace" and said[j][1].endswith(".vtp")]
+            syncs = [j for j in range(k) if said[j] == ("sync", "a.part")]
+            self.assertGreater(syncs[-1], pieces[-1])
+
+    def test_lines_keep_all(self):
+        kept = []
+        line = {"type": "LineString", "coordinates": [(5, 5, 1), (90, 50, 2)]}
+        tiles.make([self.path], tin=self.at("a.pvtp"), leaf=60, piece=100, lines=[line],
+                   progress=lambda step, *_: kept.append(self.leaves()) if step == "finish" else None)  # fmt: skip
+        self.assertEqual(len(set(kept)), 1)
+
+    def test_a_plan_of_what_is_left(self):
+        plans, done = [], []
+
+        def interrupt(group):
+            done.append(group)
+            if len(done) == 4:
+                raise KeyboardInterrupt
+
+        with unittest.mock.patch.object(_needs.Needs, "end", side_effect=interrupt):
+            self.assertEqual(self.command(*self.words("--threads", "1"))[0], 130)
+        with unittest.mock.patch.object(_run.Run, "_write", side_effect=KeyboardInterrupt):
+            with contextlib.suppress(KeyboardInterrupt):
+                tiles.make([self.path], tin=self.at("a.pvtp"), leaf=60, piece=100, resume=True, show=plans.append)
+        made = tiles.make([self.path], tin=self.at("a.pvtp"), leaf=60, piece=100, resume=True, show=plans.append)
+        self.assertEqual(plans[0].disk - plans[1].disk, 32 * len(POINTS))
+        self.assertEqual(plans[1], made.plan)
+
+
+class RecordTest(TilesTest):
+    def test_fields_that_no_file_has_take_no_room(self):
+        kind = [("x", "f8"), ("y", "f8"), ("z", "f8")]
+        for more, size in (([], 32), ([("classification", "u1")], 33), ([("intensity", "u2")], 34),
+                           ([("classification", "u1"), ("intensity", "u2")], 35)):  # fmt: skip
+            table = np.zeros(len(POINTS), kind + more)
+            table["x"], table["y"], table["z"] = POINTS.T
+            for name, _ in more:
+                table[name] = np.arange(len(POINTS)) % 200
+            files = [self.saved(table), self.saved(POINTS + 1, "plain.npy")]
+            with unittest.mock.patch.object(_run.Run, "_visit", side_effect=KeyboardInterrupt):
+                with contextlib.suppress(KeyboardInterrupt):
+                    tiles.make(files, tin=self.at("a.pvtp"), leaf=100)
+            folder = self.at("a.pvtp.work", "leaf")
+            found = sum(os.path.getsize(os.path.join(folder, name)) for name in os.listdir(folder))
+            self.assertEqual(found, 2 * size * len(POINTS))
+            tiles.make(files, tin=self.at("a.pvtp"), leaf=100, resume=True)
+            for piece in pieces_of(self.at("a.pvtp")):
+                _, data, _ = read_piece(piece)
+                self.assertEqual(data.keys() - {"z", "GlobalPointIds"}, {name for name, _ in more})
+                ids = data["GlobalPointIds"]
+                for name, _ in more:
+                    want = np.where(ids < len(POINTS), ids % 200, 0)
+                    np.testing.assert_array_equal(data[name], want)
+            os.remove(self.at("a.pvtp"))
+            shutil.rmtree(self.at("a"))
+
+
+class CompressionTest(TilesTest):
+    def pieces(self):
+        path = self.saved(POINTS)
+        tiles.make([path], tin=self.at("a.pvtp"), leaf=100, piece=300, overwrite=True)
+        return [read_piece(piece) for piece in pieces_of(self.at("a.pvtp"))]
+
+    def assert_same(self, found, want):
+        for (xyz, data, triangles), (xyz_, data_, triangles_) in zip(found, want):
+            self.assertEqual(data.keys(), data_.keys())
+            for one, other in ((xyz, xyz_), (triangles, triangles_), *((data[name], data_[name]) for name in data)):
+                np.testing.assert_array_equal(one, other)
+        self.assertEqual(len(found), len(want))
+
+    def test_by_either_package(self):
+        with unittest.mock.patch.object(_pvtp, "ISAL", None):
+            want = self.pieces()
+        self.assert_same(self.pieces(), want)
+
+    def test_blocks_of_offsets(self):
+        """read_piece() compares the offsets."""
+        want = self.pieces()
+        for size in (1, 7, len(want[0][2]), 10**6):
+            _pvtp._offsets_block.cache_clear()
+            with unittest.mock.patch.object(_pvtp, "_OFFSETS", size):
+                self.assert_same(self.pieces(), want)
+
+    def test_the_same_bytes_each_time(self):
+        """Whatever memory the package has used before."""
+        array, found = np.random.default_rng(1).integers(0, 9, 1 << 17).astype(np.int32), set()
+        for k in range(50):
+            found.add(_pvtp._deflated(array.view(np.uint8).data))
+            _pvtp._deflated(bytes(range(k, k + 100)) * 1000)
+        self.assertEqual(len(found), 1)
+
+    def test_a_run_goes_on_with_the_same_package_only(self):
+        words = [self.saved(POINTS), "--tin", self.at("a.pvtp")]
+        with unittest.mock.patch.object(_run.Run, "_visit", side_effect=KeyboardInterrupt):
+            self.assertEqual(self.command(*words)[0], 130)
+        with unittest.mock.patch.object(_pvtp, "DEFLATE", "another"):
+            code, said = self.command(*words, "--resume")
+        self.assertEqual((code, "other files" in said), (2, True))
+
+
+if __name__ == "__main__":
+    unittest.main()
