@@ -152,6 +152,10 @@ AHD_API ahd_status ahd_tiles_lines(ahd_job* job, const double* xy, const int64_t
  *   tiles_share     uint8    (bytes)   of a node, for the leaves that it joins: triangles at their
  *                                      borders, and points for their lists
  */
+ *   tiles_constraints  int64  (6)      with lines or loops, of the root, and of each second visit:
+ *                                      the counts segments, segments_of_no_length,
+ *                                      segments_without_vertex, segments_crossing, unfilled_loops
+ *                                      and constraint_edges of one run
 
 /* Visits a leaf. `points`: all of it, (n, 2 or 3) real numbers, the third for the setting
  * duplicates; n as it was counted. `ids`: of each, ascending, of all leaves different; 0 or more.

@@ -355,3 +355,5 @@ const char* tileArrayName(std::size_t number)
 }
 
 } // namespace ahd
+  { "tiles_constraints",
+    [](const JobTiles& t) { return arrayOf(t.output().constraints, kInt64, 1); } },

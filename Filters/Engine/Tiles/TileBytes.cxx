@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TileBytes.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace ahd
@@ -17,14 +18,14 @@ struct Head
   std::uint64_t mark, kind;
   Fingerprint plan;
   std::uint64_t part, size;
-  Fingerprint content; ///< a share has one of each section
+  Fingerprint content; ///< of a share that of its constraints; each section has one
 
   auto fields() { return std::tie(mark, kind, plan, part, size, content); }
 };
 static_assert(IsSolid<Head>::value, "it is read where it lies");
 
-/// Of a share, for each leaf of the node: where its section ends, and its fingerprint. The first
-/// begins behind all of these.
+/// Of a share, behind its constraints, for each leaf of the node: where its section ends, and its
+/// fingerprint. The first begins behind all of these.
 struct SectionEnd
 {
   std::uint64_t end;
@@ -35,10 +36,15 @@ struct SectionEnd
 static_assert(IsSolid<SectionEnd>::value, "it is read where it lies");
 
 /// What is checked whenever the bytes are read.
-Fingerprint contentFingerprint(TileKind kind, const TileView& content)
+Fingerprint contentFingerprint(TileKind kind, TileView content)
 {
-  return kind == TileKind::Share ? Fingerprint{} : fingerprintOf(content, std::uint64_t(kind));
+  content.size = std::min(
+    content.size, kind == TileKind::Share ? sizeof(TileConstraints) : content.size);
+  return fingerprintOf(content, std::uint64_t(kind));
 }
+
+/// Where the ends of the sections of a share are.
+constexpr std::size_t kSectionEnds = sizeof(Head) + sizeof(TileConstraints);
 
 } // namespace
 
@@ -87,11 +93,23 @@ bool readOwn(const TilePlan& plan, std::size_t leaf, const TileView& bytes, Tile
   return true;
 }
 
-ShareWriter::ShareWriter(const TilePlan& plan, std::size_t node, BlockBytes& bytes)
+TileConstraints constraintsOf(const ConstraintReport& report)
+{
+  const std::size_t counts[] = { report.segments, report.points, report.withoutVertex,
+    report.crossing, report.unfilledLoops, report.edges };
+  TileConstraints made;
+  std::transform(std::begin(counts), std::end(counts), made.begin(),
+    [](std::size_t count) { return static_cast<std::int64_t>(count); });
+  return made;
+}
+
+ShareWriter::ShareWriter(
+  const TilePlan& plan, std::size_t node, const TileConstraints& constraints, BlockBytes& bytes)
   : bytes_(bytes)
   , leaf_(plan.rowOf(node).begin)
 {
   beginBytes(TileKind::Share, plan, node, bytes_);
+  BytesWriter{ bytes_ }(constraints);
   index_ = bytes_.size();
   bytes_.resize(index_ + (plan.rowOf(node).end - leaf_) * sizeof(SectionEnd));
 }
@@ -112,7 +130,7 @@ bool readSection(const TilePlan& plan, std::size_t node, std::size_t leaf, const
 {
   section = TileSection();
   const BlockRow& row = plan.rowOf(node);
-  const std::size_t first = sizeof(Head) + (row.end - row.begin) * sizeof(SectionEnd);
+  const std::size_t first = kSectionEnds + (row.end - row.begin) * sizeof(SectionEnd);
   if (!contentOf(TileKind::Share, plan, node, share).data || share.size < first)
   {
     return false;
@@ -120,7 +138,7 @@ bool readSection(const TilePlan& plan, std::size_t node, std::size_t leaf, const
   SectionEnd ends[2] = { { first, {} }, { 0, {} } }; // of the one before, too
   const std::size_t before = leaf == row.begin ? 0 : 1;
   std::memcpy(ends + 1 - before,
-    share.data + sizeof(Head) + (leaf - row.begin - before) * sizeof(SectionEnd),
+    share.data + kSectionEnds + (leaf - row.begin - before) * sizeof(SectionEnd),
     (1 + before) * sizeof(SectionEnd));
   if (ends[0].end > ends[1].end || ends[1].end > share.size)
   {
@@ -130,6 +148,18 @@ bool readSection(const TilePlan& plan, std::size_t node, std::size_t leaf, const
     static_cast<std::size_t>(ends[1].end - ends[0].end) };
   BytesReader{ found.data, found.size }(section);
   return fingerprintOf(found, kKindOfSection + leaf) == ends[1].content;
+}
+
+bool readConstraints(
+  const TilePlan& plan, std::size_t node, const TileView& share, TileConstraints& constraints)
+{
+  const TileView content = contentOf(TileKind::Share, plan, node, share);
+  const bool isThere = content.data && content.size >= sizeof constraints;
+  if (isThere)
+  {
+    std::memcpy(constraints.data(), content.data, sizeof constraints);
+  }
+  return isThere;
 }
 
 } // namespace ahd

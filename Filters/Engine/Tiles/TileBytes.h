@@ -2,6 +2,7 @@
 #ifndef ahd_TileBytes_h
 #define ahd_TileBytes_h
 
+#include "../Constraints.h"
 #include "../Distribute/Part.h"
 #include "TilePlan.h"
 
@@ -84,11 +85,17 @@ struct TileSection
   auto fields() { return std::tie(points, corners, flags, pieceOf, pieces); }
 };
 
+/// What became of lines and loops, as tiles_constraints has it (ahd_tiles.h).
+using TileConstraints = std::array<std::int64_t, 6>;
+TileConstraints constraintsOf(const ConstraintReport& report);
+
 /// Writes the share of a node, with a section for each leaf that it joins, ascending.
 class ShareWriter
 {
 public:
-  ShareWriter(const TilePlan& plan, std::size_t node, BlockBytes& bytes);
+  /// `constraints`: of the root; elsewhere they say nothing.
+  ShareWriter(
+    const TilePlan& plan, std::size_t node, const TileConstraints& constraints, BlockBytes& bytes);
   /// That of the next leaf.
   void add(const TileSection& section);
   void end() { endBytes(bytes_); }
@@ -103,6 +110,9 @@ private:
 /// has changed. @pre the node joins the leaf
 bool readSection(const TilePlan& plan, std::size_t node, std::size_t leaf, const TileView& share,
   TileSection& section);
+/// What its writer was given. False if these bytes are not the share of the node.
+bool readConstraints(
+  const TilePlan& plan, std::size_t node, const TileView& share, TileConstraints& constraints);
 
 } // namespace ahd
 

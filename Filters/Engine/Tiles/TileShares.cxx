@@ -189,7 +189,7 @@ private:
   bool writeSections(BlockBytes& share)
   {
     followPieces();
-    ShareWriter writer(plan_, node_, share);
+    ShareWriter writer(plan_, node_, constraintsOf(part_.triangulation().constraints()), share);
     auto point = points_.cbegin(), triangle = ofLeaves_.cbegin();
     for (std::size_t leaf = plan_.rowOf(node_).begin; leaf != plan_.rowOf(node_).end; ++leaf)
     {

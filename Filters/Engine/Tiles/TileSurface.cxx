@@ -216,6 +216,7 @@ Status TileVisits::makeList(
     [&]
     {
       Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
+      out.constraints = kept.constraints;
       std::vector<Listed> listed;
       return list(leaf, kept, ticker, listed) && put(listed, ticker, out);
     });
@@ -229,6 +230,7 @@ Status TileVisits::makeSurface(const TilePoints& given, const TileKept& kept, do
     [&]
     {
       Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
+      out.constraints = kept.constraints;
       std::vector<Listed> listed;
       return list(given.leaf, kept, ticker, listed) && put(listed, ticker, out) &&
         Surface(plan_, given, listed, ticker).make(kept, longest, out);

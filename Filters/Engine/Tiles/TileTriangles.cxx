@@ -185,6 +185,7 @@ Status TileVisits::makeTriangles(
     [&]
     {
       Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
+      out.constraints = kept.constraints;
       return LeafTriangles(plan_, given, ticker).make(kept, out);
     });
 }

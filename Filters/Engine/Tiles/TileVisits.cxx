@@ -162,7 +162,11 @@ Status TileVisits::merge(
       {
         return Status::Cancelled;
       }
-      if (!isRoot)
+      if (isRoot)
+      {
+        out.constraints = tellConstraints(constraintsOf(part.triangulation().constraints()));
+      }
+      else
       {
         writeBorder(plan_, node, border, out.border);
       }
@@ -170,21 +174,32 @@ Status TileVisits::merge(
     });
 }
 
-bool TileVisits::readSections(
-  std::size_t leaf, const std::vector<TileView>& shares, std::vector<TileSection>& sections) const
+std::vector<std::int64_t> TileVisits::tellConstraints(const TileConstraints& counts) const
 {
-  sections.clear();
+  return plan_.hasLines() ? std::vector<std::int64_t>(counts.begin(), counts.end())
+                          : std::vector<std::int64_t>();
+}
+
+bool TileVisits::readSections(
+  std::size_t leaf, const std::vector<TileView>& shares, TileKept& kept) const
+{
   std::size_t node = leaf;
   for (const TileView& share : shares)
   {
     node = node == plan_.root() ? plan_.root() : plan_.parents()[node];
-    sections.emplace_back();
-    if (!readSection(plan_, node, leaf, share, sections.back()))
+    kept.sections.emplace_back();
+    if (!readSection(plan_, node, leaf, share, kept.sections.back()))
     {
       return false;
     }
   }
-  return node == plan_.root();
+  TileConstraints counts;
+  if (node != plan_.root() || !readConstraints(plan_, node, shares.back(), counts))
+  {
+    return false;
+  }
+  kept.constraints = tellConstraints(counts);
+  return true;
 }
 
 /// From the root down: which pieces of the parts below are kept.
@@ -220,8 +235,8 @@ bool TileVisits::readKept(
   std::size_t leaf, const TileView* own, const std::vector<TileView>& shares, TileKept& kept) const
 {
   kept = TileKept();
-  return (!own || readOwn(plan_, leaf, *own, kept.own)) &&
-    readSections(leaf, shares, kept.sections) && followPieces(kept);
+  return (!own || readOwn(plan_, leaf, *own, kept.own)) && readSections(leaf, shares, kept) &&
+    followPieces(kept);
 }
 
 bool TileVisits::areOf(const TilePoints& given, const TileSection& section) const

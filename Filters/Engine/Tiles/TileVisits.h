@@ -44,6 +44,7 @@ struct TileKept
 
   /// With loops: of the parts below each of these nodes, for each piece 1 if it is kept.
   std::vector<std::vector<std::uint8_t>> flags;
+  std::vector<std::int64_t> constraints; ///< with lines or loops: TileConstraints
 };
 
 /// What a visit gives. Each fills what it says.
@@ -56,6 +57,8 @@ struct TileOutput
   std::vector<std::int64_t> listIds;
   std::vector<std::int64_t> surface; ///< triangles: places among the leaf's points, then the list
   std::vector<std::uint8_t> surfaceEdges;
+  /// With lines or loops, where the root is known: TileConstraints.
+  std::vector<std::int64_t> constraints;
 };
 
 /// Visits of leaves and nodes of one plan. What they give depends on arguments and plan alone.
@@ -103,8 +106,8 @@ public:
     const Context& context, TileOutput& out) const;
 
 private:
-  bool readSections(std::size_t leaf, const std::vector<TileView>& shares,
-    std::vector<TileSection>& sections) const;
+  bool readSections(std::size_t leaf, const std::vector<TileView>& shares, TileKept& kept) const;
+  std::vector<std::int64_t> tellConstraints(const TileConstraints& counts) const;
   bool followPieces(TileKept& kept) const;
   bool areOf(const TilePoints& given, const TileSection& section) const;
   // Lines and loops (TileLines.cxx).

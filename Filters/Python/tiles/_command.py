@@ -125,6 +125,8 @@ def main(given: Sequence[str]) -> int:
     bar.end()
     for said in made.skipped.values():
         _say("left out: " + said, sys.stderr)
+    if made.segments_crossing:
+        _say("left out: %d segments of lines and loops that cross earlier ones" % made.segments_crossing, sys.stderr)
     for output in made.outputs:
         _say(output, sys.stdout)
     return 0

@@ -64,6 +64,10 @@ class Finish:
         hasPiece = self.wanted.pieces is None or os.path.exists(self.piece(group))
         return hasPiece and all(os.path.exists(self.cells(leaf)) for leaf in group if self._has_cells(leaf))
 
+    def shares(self, leaf: int) -> List[np.ndarray]:
+        """Of the nodes above it."""
+        return [self.store.load_bytes("share", str(node)) for node in self.plan.above(leaf)]
+
     def _has_cells(self, leaf: int) -> bool:
         return self.wanted.raster is not None and min(self.wanted.windows[leaf][2:]) > 0
 
@@ -76,11 +80,8 @@ class Finish:
 
     def needed(self, leaves: Leaves, group: range) -> Set[int]:
         """The leaves whose points a group without lines needs."""
-        lists = [leaves.listed(leaf, self._shares(leaf)) for leaf in group]
+        lists = [leaves.listed(leaf, self.shares(leaf)) for leaf in group]
         return set(group).union(*(np.unique(self._leaf_of(numbers)).tolist() for numbers in lists))
-
-    def _shares(self, leaf: int) -> List[np.ndarray]:
-        return [self.store.load_bytes("share", str(node)) for node in self.plan.above(leaf)]
 
     def _leaf_of(self, numbers: np.ndarray) -> np.ndarray:
         """Of points."""
@@ -95,7 +96,7 @@ class Finish:
     def _leaf(self, leaves: Leaves, leaf: int) -> np.ndarray:
         """Writes its cells. Returns its triangles, of numbers of points in the order of the leaves."""
         own = records_of(self.store, leaf, self.kind)["xyz"]
-        shares, isThere = self._shares(leaf), True
+        shares, isThere = self.shares(leaf), True
         if self.wanted.hasLines:
             given = np.ascontiguousarray(own), self.store.load_bytes("own", str(leaf)), shares
             numbers, isThere = leaves.surface(leaf, *given, self.wanted.longest)

@@ -16,6 +16,9 @@ from .._raster import Raster
 from ._lines import Chains
 
 
+_CROSSING = 3  #: in tiles_constraints
+
+
 class Plan(NamedTuple):
     """Where the leaves are, and which nodes join them."""
 
@@ -100,6 +103,13 @@ class Leaves(Job):
         """The numbers of the points of other leaves that this one needs. `shares`: of the nodes above it."""
         self._call("ahd_tiles_list", leaf, _bytes(shares), len(shares), arrays=shares)
         return self.array("tiles_list_ids", np.int64)
+
+    def segments_crossing(self, shares: Sequence[np.ndarray]) -> int:
+        """How many segments of lines and loops are left out, as they cross an earlier one. `shares`: of the nodes above
+        leaf 0."""
+        self.listed(0, shares)
+        counts = self.array("tiles_constraints", np.int64)
+        return int(counts[_CROSSING]) if len(counts) else 0
 
     def surface(self, leaf: int, points: np.ndarray, own: np.ndarray, shares: Sequence[np.ndarray], longest: float
                 ) -> Tuple[np.ndarray, bool]:  # fmt: skip

@@ -154,6 +154,8 @@ class Result:
         The files that were written; none with `plan_only`.
     skipped : dict
         Files that were left out, and why.
+    segments_crossing : int
+        Segments of lines and loops that are left out, as they cross an earlier one.
     seconds : float
         Of all.
     steps : dict
@@ -163,6 +165,7 @@ class Result:
     plan: Plan
     outputs: List[str]
     skipped: Dict[str, str]
+    segments_crossing: int
     seconds: float
     steps: Dict[str, float]
 

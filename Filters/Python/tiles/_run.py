@@ -83,7 +83,7 @@ class Run:
         options.check()
         self.options, self.show, self.begin = options, show, time.monotonic()
         self.tell = _Told(progress)
-        self.files, self.raster = options.files_found(), cast(Optional[Raster], None)
+        self.files, self.raster, self.segments_crossing = options.files_found(), cast(Optional[Raster], None), 0
         self.store = Store(options.work or options.outputs[0] + ".work")
         self.folder = os.path.splitext(os.path.abspath(options.tin))[0] if options.tin else None  # of the pieces
         chains = chains_of(options.lines, options.loops)
@@ -122,7 +122,8 @@ class Run:
             self._make(leaves, counted, planned)
         self.tell.end()
         outputs = [] if options.plan_only else options.outputs
-        return Result(planned, outputs, points.skipped, time.monotonic() - self.begin, self.tell.spent)
+        return Result(planned, outputs, points.skipped, self.segments_crossing, time.monotonic() - self.begin,
+                      self.tell.spent)  # fmt: skip
 
     # --- before the work ---
 
@@ -243,6 +244,7 @@ class Run:
         if not self._has_all(finish):
             self._finish(workers, finish, groups)
         self._write(finish, groups)
+        self.segments_crossing = leaves.segments_crossing(finish.shares(0))
         self.store.end()
         if self.folder is not None:
             with contextlib.suppress(OSError):

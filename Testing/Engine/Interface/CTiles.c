@@ -321,6 +321,21 @@ static void expect_plans(tiles* all)
   ahd_job_free(job);
 }
 
+/* What became of lines and loops is what one run says. */
+static void expect_constraints(const tiles* all, ahd_job* whole)
+{
+  const char* const names[] = { "segments", "segments_of_no_length", "segments_without_vertex",
+    "segments_crossing", "unfilled_loops", "constraint_edges" };
+  uint64_t numbers, k;
+  int64_t* counts = ahd_read_ids(all->job, "tiles_constraints", &numbers);
+  CHECK(numbers == 6);
+  for (k = 0; k < numbers; ++k)
+  {
+    CHECK(counts[k] == ahd_counted(whole, names[k]));
+  }
+  free(counts);
+}
+
 /* A line and a loop, of places of points: triangles, and the surface of each leaf. */
 static void expect_lines(tiles* all)
 {
@@ -345,6 +360,7 @@ static void expect_lines(tiles* all)
   CHECK_OK(job, ahd_set_array(job, "loop_ids", &loops));
   CHECK_OK(job, ahd_set_int(job, "fill_rule", AHD_FILL_EVEN_ODD));
   CHECK_OK(job, ahd_run(job));
+  expect_constraints(all, job);
   whole = ahd_read_ids(job, "triangles", &numbers);
   CHECK(numbers > 0 && ahd_counted(job, "kept_triangles") < ahd_counted(job, "delaunay_triangles"));
   expect_triangles(all, whole, numbers);
@@ -358,6 +374,7 @@ static void expect_lines(tiles* all)
     CHECK_OK(
       all->job, ahd_tiles_surface(all->job, leaf, &points, ids, &all->owns[leaf], shares, above));
     free(ahd_read_ids(all->job, "tiles_surface", &some));
+    expect_constraints(all, job);
     CHECK_OK(all->job, ahd_array_size(all->job, "tiles_surface_edges", &edges, &columns));
     CHECK(3 * edges == some);
     part += some;

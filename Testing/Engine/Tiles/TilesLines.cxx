@@ -3,6 +3,7 @@
 // Lines and loops leaf by leaf: triangles, their edges, and rasters are those of one run.
 #include "ConstraintMakers.h"
 #include "JobRun.h"
+#include "Random.h"
 #include "TilesRun.h"
 
 #include <gtest/gtest.h>
@@ -23,6 +24,7 @@ struct Stream
 {
   std::vector<std::int64_t> triangles;
   std::vector<std::uint8_t> edges;
+  ConstraintReport report;
 };
 
 Stream streamOfOneRun(const ConstraintCase& given, FillRule rule)
@@ -35,7 +37,23 @@ Stream streamOfOneRun(const ConstraintCase& given, FillRule rule)
   stream.edges.resize(engine.report().triangles);
   EXPECT_EQ(engine.writeTriangles(stream.triangles.data()), Status::Ok);
   EXPECT_EQ(engine.writeConstraintEdges(stream.edges.data()), Status::Ok);
+  stream.report = engine.constraints();
   return stream;
+}
+
+/// Whether two corners of no length are one point, ids may say otherwise than places.
+void expectTheReport(
+  const std::vector<std::int64_t>& tiled, const ConstraintReport& whole, const std::string& name)
+{
+  ASSERT_EQ(tiled.size(), whole.segments == 0 ? tiled.size() : TileConstraints().size()) << name;
+  if (!tiled.empty())
+  {
+    const TileConstraints wanted = constraintsOf(whole);
+    EXPECT_EQ(tiled[0] - tiled[1] - tiled[2], wanted[0] - wanted[1] - wanted[2]) << name;
+    EXPECT_TRUE(std::equal(tiled.begin() + 3, tiled.end(), wanted.begin() + 3))
+      << name << ": " << tiled[3] << " cross, not " << wanted[3] << "; " << tiled[4]
+      << " unfilled, not " << wanted[4] << "; " << tiled[5] << " edges, not " << wanted[5];
+  }
 }
 
 void expectTheStream(const ConstraintCase& given, std::uint64_t most, const std::string& name)
@@ -54,6 +72,7 @@ void expectTheStream(const ConstraintCase& given, std::uint64_t most, const std:
     EXPECT_EQ(tiled.triangles, whole.triangles)
       << name << ", " << run.plan().leaves() << " leaves, rule " << int(rule);
     EXPECT_EQ(tiled.edges, whole.edges) << name;
+    expectTheReport(run.constraints, whole.report, name);
   }
 }
 
@@ -90,6 +109,104 @@ TEST(TilesLines, LargeCasesAreAsInOneRun)
     {
       expectTheStream(one.given, most, one.name);
     }
+  }
+}
+
+/// Up to 100 points on a small lattice, so that most is cocircular, collinear or a duplicate, with
+/// chains that go to neighbours, leap, come back, and loops around each other that touch.
+class LatticeCase
+{
+public:
+  explicit LatticeCase(std::uint64_t seed)
+    : random_(seed)
+    , columns_(1 + random_.below(9))
+    , rows_(1 + random_.below(9))
+  {
+  }
+
+  ConstraintCase make()
+  {
+    static const double kSteps[] = { 1.0, 0.1, 0x1p-1074, 1e-300, 1e299 };
+    const double dx = kSteps[random_.below(5)],
+                 dy = random_.below(4) != 0 ? dx : kSteps[random_.below(5)];
+    const std::size_t count = 3 + random_.below(98);
+    for (std::size_t i = 0; i != count; ++i)
+    {
+      const auto x = double(random_.below(columns_ + 1)), y = double(random_.below(rows_ + 1));
+      made_.points.push_back({ x * dx, y * dy });
+      places_.push_back({ x, y });
+    }
+    for (std::size_t lines = random_.below(6); lines-- > 0;)
+    {
+      made_.constraints.addLine(walk(random_.below(9)));
+    }
+    for (std::size_t loops = random_.below(6); loops-- > 0;)
+    {
+      made_.constraints.addLoop(random_.below(2) != 0 ? rectangle() : walk(random_.below(7)));
+    }
+    return made_;
+  }
+
+private:
+  std::int64_t any() { return std::int64_t(random_.below(places_.size())); }
+  /// The point nearest to a place, one of those.
+  std::int64_t nearest(double x, double y) const
+  {
+    const auto squared = [&](const Point& p)
+    { return (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y); };
+    return std::min_element(places_.begin(), places_.end(),
+             [&](const Point& p, const Point& q) { return squared(p) < squared(q); }) -
+      places_.begin();
+  }
+  Chain walk(std::size_t length)
+  {
+    Chain chain;
+    while (chain.size() < length)
+    {
+      const Point at = places_[std::size_t(chain.empty() ? any() : chain.back())];
+      const auto step = [&] { return double(random_.below(5)) - 2.0; };
+      chain.push_back(random_.below(3) == 0 ? any() : nearest(at.x + step(), at.y + step()));
+    }
+    return chain;
+  }
+  Chain rectangle()
+  {
+    const auto x = double(random_.below(columns_)), y = double(random_.below(rows_));
+    const auto xTo = x + 1.0 + double(random_.below(columns_)),
+               yTo = y + 1.0 + double(random_.below(rows_));
+    Chain chain = { nearest(x, y), nearest(xTo, y), nearest(xTo, yTo), nearest(x, yTo) };
+    if (random_.below(2) != 0)
+    {
+      std::reverse(chain.begin(), chain.end());
+    }
+    return chain;
+  }
+
+  Random random_;
+  std::size_t columns_, rows_;
+  std::vector<Point> places_; ///< in steps
+  ConstraintCase made_;
+};
+
+void expectLattice(std::uint64_t seed)
+{
+  static const std::uint64_t kMost[] = { 1, 3, 16 };
+  expectTheStream(LatticeCase(seed).make(), kMost[seed % 3], "lattice " + std::to_string(seed));
+}
+
+TEST(TilesLines, LatticesAreAsInOneRun)
+{
+  for (std::uint64_t seed = 0; seed != reduced(500); ++seed)
+  {
+    expectLattice(seed);
+  }
+}
+
+TEST(LongTilesLines, LatticesAreAsInOneRun)
+{
+  for (std::uint64_t seed = 0; seed != 100000; ++seed)
+  {
+    expectLattice(seed);
   }
 }
 
@@ -260,6 +377,8 @@ TEST(TilesLines, RastersAreThoseOfOneRun)
   for (std::uint64_t seed = 0; seed != reduced(150); ++seed)
   {
     expectTheRaster(smallConstraintCase(seed), 1 + seed % 3, 0.0, "case " + std::to_string(seed));
+    expectTheRaster(
+      LatticeCase(seed).make(), 1 + seed % 9, double(seed % 4), "lattice " + std::to_string(seed));
   }
 }
 

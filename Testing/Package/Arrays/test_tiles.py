@@ -188,12 +188,27 @@ class LinesTest(TilesTest):
         given = self.files()
         for chosen in (given, {"lines": given["lines"]}, {"loops": given["loops"]}):
             points, chains = self.whole(**chosen)
-            want = one_piece(points, **chains).triangles.astype(np.int64)
+            whole = one_piece(points, **chains)
+            want = whole.triangles.astype(np.int64)
             for leaf, threads in ((10**6, 1), (300, 2), (60, 1)):
                 with self.subTest(chains=sorted(chosen), leaf=leaf):
-                    tiles.make([self.saved(self.points)], tin=self.at("a.pvtp"), leaf=leaf, threads=threads,
-                               overwrite=True, **chosen)  # fmt: skip
+                    made = tiles.make([self.saved(self.points)], tin=self.at("a.pvtp"), leaf=leaf, threads=threads,
+                                      overwrite=True, **chosen)  # fmt: skip
                     self.assertEqual(hash_of(triangles_of(self.at("a.pvtp"))), hash_of(want))
+                    self.assertEqual(made.segments_crossing, whole.counts["segments_crossing"])
+
+    def test_segments_that_cross_are_counted(self):
+        rng = np.random.default_rng(4)
+        self.chains = [np.column_stack((rng.random((k, 2)) * (100, 60), rng.random(k))) for k in (2,) * 20 + (9, 9)]
+        points, chains = self.whole(lines=1)
+        count = one_piece(points, **chains).counts["segments_crossing"]
+        self.assertGreater(count, 10)
+        lines = self.files()["lines"]
+        for leaf in (10**6, 100):
+            code, said = self.command(self.saved(self.points), "--tin", self.at("a.pvtp"), "--lines", *lines, "--leaf",
+                                      leaf, "--overwrite")  # fmt: skip
+            self.assertEqual(code, 0)
+            self.assertIn("left out: %d segments of lines and loops that cross earlier ones\n" % count, said)
 
     @needs_raster
     def test_rasters(self):

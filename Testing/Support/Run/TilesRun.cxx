@@ -194,6 +194,12 @@ void TilesRun::merge(std::size_t node)
   call([&] { return visits_->merge(node, borders, way_.context, out); });
   borders_[node] = std::move(out.border);
   shares_[node] = std::move(out.share);
+  constraints = out.constraints;
+}
+
+void TilesRun::compare(const TileOutput& made)
+{
+  fault = isFine() && made.constraints != constraints ? "other constraints" : fault;
 }
 
 std::vector<TileView> TilesRun::sharesFor(std::size_t leaf) const
@@ -219,6 +225,7 @@ std::vector<std::int64_t> TilesRun::triangles(std::vector<std::uint8_t>* edges)
     }
     TileOutput out;
     call([&] { return visits_->makeTriangles(pointsOf(leaf), kept, way_.context, out); });
+    compare(out);
     all.insert(all.end(), out.triangles.begin(), out.triangles.end());
     if (edges)
     {
@@ -238,6 +245,7 @@ SecondVisit TilesRun::second(std::size_t leaf)
     return visit;
   }
   call([&] { return visits_->makeList(leaf, kept, way_.context, out); });
+  compare(out);
   visit.ids = ids_[leaf];
   visit.xyz = xyz_[leaf];
   visit.own = visit.ids.size();
@@ -260,6 +268,7 @@ TileOutput TilesRun::surface(std::size_t leaf, double longest)
   if (read(leaf, kept))
   {
     call([&] { return visits_->makeSurface(pointsOf(leaf), kept, longest, way_.context, out); });
+    compare(out);
   }
   return out;
 }

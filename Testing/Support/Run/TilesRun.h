@@ -57,6 +57,8 @@ public:
   Status status = Status::Ok;
   std::string fault;            ///< refused by a check
   std::size_t borderPoints = 0; ///< of all leaves
+  /// TileConstraints, as the root tells them; visits that tell others are a fault.
+  std::vector<std::int64_t> constraints;
   bool isFine() const
   {
     const std::lock_guard<std::mutex> lock(telling_);
@@ -90,6 +92,7 @@ private:
   bool read(std::size_t leaf, TileKept& kept);
   void visit(std::size_t leaf);
   void merge(std::size_t node);
+  void compare(const TileOutput& made);
 
   TilesWay way_;
   std::unique_ptr<TileVisits> visits_;
