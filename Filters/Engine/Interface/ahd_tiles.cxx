@@ -187,7 +187,11 @@ ahd_status ahd_tiles_merge(ahd_job* job, uint64_t node, const ahd_bytes* borders
     [=](ahd::Job& own)
     {
       const auto given = bytesOf(borders, count);
-      own.visitTiles([&](const ahd::Context& context) { own.tiles().merge(node, given, context); });
+      const auto limit = std::size_t(own.settings[ahd::IntSetting::MemoryLimit]);
+      own.visitTiles(
+        [&](const ahd::Context& context) {
+          own.tiles().merge(node, given, { limit, own.progress.asked() }, context);
+        });
     });
 }
 

@@ -58,7 +58,8 @@
  *
  * Of the settings, duplicates (not AHD_DUPLICATES_MEAN_Z) and threads apply to visits; each takes
  * about as much memory as ahd_estimate() says for a run of as many points. Merging takes some 250
- * bytes for each point in the borders. A callback gets the fraction of each call.
+ * bytes for each point in the borders: those along borders of leaves and segments, and nearly all
+ * that lie on a circle or a line. A callback gets the fraction of each call.
  *
  * The plan belongs to the job, apart from its input and result: ahd_run() and ahd_release() leave
  * it, ahd_reset() discards it. The output arrays of a call below stay until the next of these
@@ -151,11 +152,11 @@ AHD_API ahd_status ahd_tiles_lines(ahd_job* job, const double* xy, const int64_t
  *                                      each triangle that is known to be in the result
  *   tiles_share     uint8    (bytes)   of a node, for the leaves that it joins: triangles at their
  *                                      borders, and points for their lists
- */
  *   tiles_constraints  int64  (6)      with lines or loops, of the root, and of each second visit:
  *                                      the counts segments, segments_of_no_length,
  *                                      segments_without_vertex, segments_crossing, unfilled_loops
  *                                      and constraint_edges of one run
+ */
 
 /* Visits a leaf. `points`: all of it, (n, 2 or 3) real numbers, the third for the setting
  * duplicates; n as it was counted. `ids`: of each, ascending, of all leaves different; 0 or more.
@@ -166,7 +167,10 @@ AHD_API ahd_status ahd_tiles_visit(
   ahd_job* job, uint64_t leaf, const ahd_array* points, const int64_t* ids);
 
 /* Merges what borders the parts that the node joins, in ascending order of their numbers.
- * AHD_BAD_ARRAY: bytes that are not those; the same below. */
+ * AHD_BAD_ARRAY: bytes that are not those; the same below. AHD_MEMORY_LIMIT: it takes more than
+ * the setting memory_limit allows. So it may where most leaves need most of each other's points, as
+ * on a circle or a line: the shares are points times leaves then, and larger leaves, or one run,
+ * take less. */
 AHD_API ahd_status ahd_tiles_merge(
   ahd_job* job, uint64_t node, const ahd_bytes* borders, uint64_t count);
 

@@ -5,6 +5,7 @@
 #include "../Core/Chunks.h"
 #include "../Core/FloatingPoint.h"
 #include "Arrays.h"
+#include "CheckedMemory.h"
 #include "Job.h"
 #include "Refusal.h"
 
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <numeric>
 #include <string>
 
 namespace ahd
@@ -230,8 +232,33 @@ void JobTiles::visit(const GivenTile& tile, Representative representative, const
   check(visits().visit(given, representative, context, output_));
 }
 
-void JobTiles::merge(
-  std::uint64_t node, const std::vector<GivenBytes>& borders, const Context& context)
+namespace
+{
+
+std::size_t pointsOf(const std::vector<TileBorder>& borders)
+{
+  return std::accumulate(borders.begin(), borders.end(), std::size_t(0),
+    [](std::size_t sum, const TileBorder& border) { return sum + border.border.points.size(); });
+}
+
+/// Of what was needed up to here, for borders with so many points.
+[[noreturn]] void refuseMemory(const CheckedMemory& checked, std::size_t points)
+{
+  const auto inMegabytes = [](std::size_t bytes)
+  { return std::to_string(bytes / 1000000) + " MB"; };
+  refuse(Reason::MemoryLimit,
+    "Merging borders of " + std::to_string(points) + " points takes " +
+      inMegabytes(checked.needed) + " of memory or more, and there are " +
+      inMegabytes(checked.allowed) +
+      ". Points along borders of leaves and along lines are at borders, and nearly all of those on "
+      "a circle or a straight line, where most leaves need most of each other's points: larger "
+      "leaves, or one run, take less.");
+}
+
+} // namespace
+
+void JobTiles::merge(std::uint64_t node, const std::vector<GivenBytes>& borders,
+  const MergeMemory& memory, const Context& context)
 {
   if (node < plan().leaves() || node >= plan().parts())
   {
@@ -244,7 +271,20 @@ void JobTiles::merge(
   {
     refuse(Reason::BadArray, "These are not the borders of the parts that the node joins.");
   }
-  check(visits().merge(static_cast<std::size_t>(node), read, context, output_));
+  constexpr std::size_t kBytesForEach = 250;
+  const std::size_t points = pointsOf(read);
+  CheckedMemory checked(memory.limit);
+  Status merged = checked.need(kBytesForEach * points);
+  if (merged == Status::Ok)
+  {
+    merged = checked.request(memory.asked,
+      [&] { return visits().merge(static_cast<std::size_t>(node), read, context, output_); });
+  }
+  if (checked.isRefused)
+  {
+    refuseMemory(checked, points);
+  }
+  check(merged);
 }
 
 void JobTiles::readKept(std::size_t leaf, const TileView* own,
@@ -332,6 +372,8 @@ constexpr TileRow kTileRows[] = {
   { "tiles_surface", [](const JobTiles& t) { return arrayOf(t.output().surface, kInt64, 3); } },
   { "tiles_surface_edges",
     [](const JobTiles& t) { return arrayOf(t.output().surfaceEdges, kUint8, 1); } },
+  { "tiles_constraints",
+    [](const JobTiles& t) { return arrayOf(t.output().constraints, kInt64, 1); } },
 };
 
 } // namespace
@@ -355,5 +397,3 @@ const char* tileArrayName(std::size_t number)
 }
 
 } // namespace ahd
-  { "tiles_constraints",
-    [](const JobTiles& t) { return arrayOf(t.output().constraints, kInt64, 1); } },

@@ -2,6 +2,7 @@
 #ifndef ahd_JobTiles_h
 #define ahd_JobTiles_h
 
+#include "../Core/AskedMemory.h"
 #include "../Tiles/TileCounter.h"
 #include "../Tiles/TileVisits.h"
 #include "InputArrays.h"
@@ -36,6 +37,12 @@ struct GivenKept
   std::vector<GivenBytes> shares;
 };
 
+struct MergeMemory
+{
+  std::size_t limit;  ///< in bytes; 0: what the process can get
+  AskedMemory& asked; ///< what the context's progress is asked for
+};
+
 /// The plan as arrays.
 struct TileTables
 {
@@ -68,7 +75,8 @@ public:
   SampleRaster piece(std::uint64_t leaf, const SampleRaster& whole) const;
 
   void visit(const GivenTile& tile, Representative representative, const Context& context);
-  void merge(std::uint64_t node, const std::vector<GivenBytes>& borders, const Context& context);
+  void merge(std::uint64_t node, const std::vector<GivenBytes>& borders, const MergeMemory& memory,
+    const Context& context);
   void makeTriangles(const GivenTile& tile, const GivenKept& bytes, const Context& context);
   void makeSurface(
     const GivenTile& tile, const GivenKept& bytes, double longest, const Context& context);

@@ -76,6 +76,8 @@ public:
   explicit TilePlan(TileFacts facts);
 
   const TileFacts& facts() const { return facts_; }
+  /// That ranks points within the bounds.
+  const TileGrid& grid() const { return grid_; }
   const TileLeaf& leaf(std::size_t k) const { return facts_.leaves[k]; }
   std::size_t leaves() const { return facts_.leaves.size(); }
   std::size_t parts() const { return parents_.size(); }

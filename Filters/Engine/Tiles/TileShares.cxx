@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../Core/AskedMemory.h"
 #include "../Core/SortAsking.h"
 #include "../Points/JoinedBounds.h"
 #include "../Predicates/Discs.h"
@@ -25,6 +26,7 @@ public:
     , borders_(borders)
     , given_(part.given())
     , ticker_(ticker)
+    , memory_(ticker)
   {
   }
 
@@ -63,11 +65,11 @@ private:
   void eachLeaf(const Meets& meets, Visit visit)
   {
     open_.assign(1, node_);
-    while (!open_.empty())
+    while (goesOn_ && !open_.empty())
     {
       const std::size_t part = open_.back();
       open_.pop_back();
-      goesOn_ = goesOn_ && ticker_.step();
+      goesOn_ = ticker_.step();
       const bool isLeaf = part < plan_.leaves();
       if (!isEmpty(plan_.reach(part)) && meets(plan_.reach(part), isLeaf))
       {
@@ -92,7 +94,7 @@ private:
                const auto meets = [&disc](const Bounds& box, bool isLeaf)
                { return isLeaf ? disc.meets(box) : disc.meetsByFilter(box).value_or(true); };
                const auto triangle = static_cast<Index>(triangles_.size());
-               eachLeaf(meets, [&](Index leaf) { ofLeaves_.push_back({ leaf, triangle }); });
+               eachLeaf(meets, [&](Index leaf) { memory_.add(ofLeaves_, Item{ leaf, triangle }); });
                triangles_.push_back({ corners, flags, piece });
              }) &&
       goesOn_;
@@ -106,7 +108,7 @@ private:
     for (std::size_t i = 0; !part_.hasTriangles() && goesOn_ && i != given_.size(); ++i)
     {
       const auto point = static_cast<Index>(i);
-      eachLeaf(always, [&](Index leaf) { points_.push_back({ leaf, point }); });
+      eachLeaf(always, [&](Index leaf) { memory_.add(points_, Item{ leaf, point }); });
     }
     part_.eachHullEdge(
       [&](Index from, Index to)
@@ -122,8 +124,8 @@ private:
         eachLeaf(isBeyond,
           [&](Index leaf)
           {
-            points_.push_back({ leaf, from });
-            points_.push_back({ leaf, to });
+            memory_.add(points_, Item{ leaf, from });
+            memory_.add(points_, Item{ leaf, to });
           });
       });
     return goesOn_;
@@ -136,7 +138,7 @@ private:
     {
       for (const Index corner : triangles_[item.number].corners)
       {
-        points_.push_back({ item.leaf, corner });
+        memory_.add(points_, Item{ item.leaf, corner });
       }
       if (!ticker_.step())
       {
@@ -154,7 +156,7 @@ private:
     {
       if ((given_[i].marks & BorderPoint::kOfCrowd) != 0)
       {
-        crowded.emplace_back(TileGrid(plan_.facts().bounds).keyOf(given_[i].at), Index(i));
+        crowded.emplace_back(plan_.grid().keyOf(given_[i].at), Index(i));
       }
     };
     if (!inSteps(0, given_.size(), ticker_, find) || !sortOnce(crowded, ticker_))
@@ -166,8 +168,7 @@ private:
     {
       if (!crowded.empty() && (given_[item.number].marks & BorderPoint::kOfCrowd) != 0)
       {
-        wanted.emplace_back(
-          item.leaf, TileGrid(plan_.facts().bounds).keyOf(given_[item.number].at));
+        wanted.emplace_back(item.leaf, plan_.grid().keyOf(given_[item.number].at));
       }
     }
     if (!sortOnce(wanted, ticker_))
@@ -179,7 +180,7 @@ private:
       auto at = std::lower_bound(crowded.begin(), crowded.end(), std::make_pair(key, Index(0)));
       for (; at != crowded.end() && at->first == key && goesOn_; ++at)
       {
-        points_.push_back({ leaf, at->second });
+        memory_.add(points_, Item{ leaf, at->second });
         goesOn_ = ticker_.step();
       }
     }
@@ -189,6 +190,10 @@ private:
   bool writeSections(BlockBytes& share)
   {
     followPieces();
+    const std::size_t most = points_.size() * sizeof(BorderPoint) +
+      ofLeaves_.size() * (sizeof(std::array<Index, 3>) + 1 + sizeof(Index));
+    memory_.take(most);
+    share.reserve(most);
     ShareWriter writer(plan_, node_, constraintsOf(part_.triangulation().constraints()), share);
     auto point = points_.cbegin(), triangle = ofLeaves_.cbegin();
     for (std::size_t leaf = plan_.rowOf(node_).begin; leaf != plan_.rowOf(node_).end; ++leaf)
@@ -288,6 +293,7 @@ private:
   const std::vector<TileBorder>& borders_; ///< of the parts below; they have their pieces
   const std::vector<BorderPoint>& given_;
   Ticker& ticker_;
+  GrowingMemory memory_; ///< of the lists, and of the share
   bool goesOn_ = true;
   std::vector<std::size_t> open_;
   std::vector<Triangle> triangles_;

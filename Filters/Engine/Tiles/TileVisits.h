@@ -124,7 +124,8 @@ private:
 };
 
 /// Writes the share of a node, whose final triangles are known. `borders`: the pieces of the parts
-/// below. Returns false if cancelled; throws std::bad_alloc.
+/// below. Returns false if cancelled; throws std::bad_alloc. Where most leaves need most triangles,
+/// as on a circle, it takes their product: it requests its memory (Progress::take()).
 bool writeShare(const TilePlan& plan, std::size_t node, const Part& part,
   const std::vector<TileBorder>& borders, Ticker& ticker, BlockBytes& share);
 

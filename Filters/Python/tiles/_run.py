@@ -237,14 +237,15 @@ class Run:
         threads = max(1, min(self.threads, count_))
         workers = Workers(threads, self.plan.saved, {
             "duplicates": DUPLICATES[self.options.duplicates], "threads": max(1, self.threads // threads),
+            "memory_limit": self.options.memory or 0,
             "maximum_edge_length": 0 if self._has_lines() else self.options.longest_edge})  # fmt: skip
         self._scatter(workers)
         self._visit(workers)
         groups = groups_of(self.plan, self.options.piece if self.folder else 0)
         if not self._has_all(finish):
             self._finish(workers, finish, groups)
-        self._write(finish, groups)
         self.segments_crossing = leaves.segments_crossing(finish.shares(0))
+        self._write(finish, groups)
         self.store.end()
         if self.folder is not None:
             with contextlib.suppress(OSError):

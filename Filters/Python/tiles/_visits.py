@@ -7,6 +7,8 @@ from typing import Any, Callable, Dict, List
 
 import numpy as np
 
+from .._interface import OutOfMemory
+from ._errors import NoRoom
 from ._leaves import Leaves, Plan
 from ._points import records_of
 from ._store import Store, sync
@@ -48,7 +50,10 @@ class Visits:
                 store.save_bytes("own", name, own)
             store.save_bytes("border", name, border)
         else:
-            border, share = leaves.merge(part, [store.load_bytes("border", str(one)) for one in self.parts[part]])
+            try:
+                border, share = leaves.merge(part, [store.load_bytes("border", str(one)) for one in self.parts[part]])
+            except OutOfMemory as error:
+                raise NoRoom(str(error)) from error
             store.save_bytes("border", name, border)
             store.save_bytes("share", name, share)  # after which the node is done
 

@@ -336,6 +336,25 @@ static void expect_constraints(const tiles* all, ahd_job* whole)
   free(counts);
 }
 
+/* Borders of so many points do not fit into 1000 bytes. */
+static void expect_memory_limit(tiles* all)
+{
+  ahd_bytes below[4];
+  uint64_t child, number = 0, root = all->facts.leaves + all->facts.nodes - 1;
+  for (child = 0; child < root; ++child)
+  {
+    if (all->parents[child] == (int64_t)root)
+    {
+      below[number++] = all->borders[child];
+    }
+  }
+  CHECK_OK(all->job, ahd_set_int(all->job, "memory_limit", 1000));
+  CHECK_STATUS(all->job, AHD_MEMORY_LIMIT, ahd_tiles_merge(all->job, root, below, number));
+  CHECK_SAYS(all->job, "Merging borders");
+  CHECK_OK(all->job, ahd_set_int(all->job, "memory_limit", 0));
+  CHECK_OK(all->job, ahd_tiles_merge(all->job, root, below, number));
+}
+
 /* A line and a loop, of places of points: triangles, and the surface of each leaf. */
 static void expect_lines(tiles* all)
 {
@@ -361,6 +380,7 @@ static void expect_lines(tiles* all)
   CHECK_OK(job, ahd_set_int(job, "fill_rule", AHD_FILL_EVEN_ODD));
   CHECK_OK(job, ahd_run(job));
   expect_constraints(all, job);
+  expect_memory_limit(all);
   whole = ahd_read_ids(job, "triangles", &numbers);
   CHECK(numbers > 0 && ahd_counted(job, "kept_triangles") < ahd_counted(job, "delaunay_triangles"));
   expect_triangles(all, whole, numbers);

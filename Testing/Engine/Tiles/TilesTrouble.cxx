@@ -4,6 +4,7 @@
 // reports it, nothing is thrown or leaked. And they take little memory. This program's operator new
 // fails on demand.
 #include "Listeners.h"
+#include "MemoryListener.h"
 #include "OwnMemory.h"
 #include "TilesRun.h"
 #include "Triangulate.h"
@@ -111,6 +112,37 @@ TEST(TilesTrouble, AnyAskingCanCancel)
     {
       Listener cancelling(at);
       ASSERT_EQ(runAll(given, { &cancelling, nullptr }, triangles), Status::Cancelled) << at;
+    }
+  }
+}
+
+/// The discs of a circle meet all of its leaves, and of a line each leaf has all points: what is
+/// shared is as much as points times leaves. It is requested, and may be refused.
+TEST(TilesTrouble, MemoryOfSharesIsRequested)
+{
+  for (const Distribution d :
+    { Distribution::OnCircle, Distribution::Collinear, Distribution::Uniform })
+  {
+    const std::vector<Point> points = makePoints(d, 1000, 1);
+    TilesWay way;
+    way.most = 10;
+    MemoryListener all, some(1000000);
+    way.context = { &all, nullptr };
+    const TilesRun whole(viewOf(points), way);
+    EXPECT_EQ(whole.status, Status::Ok);
+    way.context = { &some, nullptr };
+    const TilesRun limited(viewOf(points), way);
+    if (d == Distribution::Uniform)
+    {
+      EXPECT_LT(all.memory.most(), std::size_t(1000000));
+      EXPECT_EQ(limited.status, Status::Ok);
+    }
+    else
+    {
+      const std::size_t root = whole.plan().root();
+      EXPECT_GT(all.memory.most(), whole.shares()[root].size()) << nameOf(d);
+      EXPECT_GT(whole.shares()[root].size(), std::size_t(1000000)) << nameOf(d);
+      EXPECT_EQ(limited.status, Status::OutOfMemory) << nameOf(d);
     }
   }
 }

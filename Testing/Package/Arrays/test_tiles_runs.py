@@ -338,6 +338,15 @@ class ErrorTest(TilesTest):
         os.remove(self.at("a.tif"))
         self.fails(3, "has no z", self.saved(POINTS[:, :2], "flat.npy"), *raster, "1")
 
+    def test_leaves_of_a_circle_need_all_of_each_other(self):
+        angle = np.random.default_rng(5).random(8000) * 2 * np.pi
+        path = self.saved(np.column_stack((np.cos(angle), np.sin(angle), angle)))
+        code, said = self.command(*self.tin(path), "--leaf", 40, "--memory", "170MB")
+        self.assertEqual(code, 5)
+        self.assertRegex(said, r"Merging borders of \d+ points takes \d+ MB of memory or more, and there are 170 MB")
+        shutil.rmtree(self.at("a.pvtp.work"))
+        self.assertEqual(self.command(*self.tin(path), "--leaf", 4000, "--memory", "170MB")[0], 0)
+
     def test_room(self):
         path = self.saved(POINTS)
         code, said = self.command(*self.tin(path), "--memory", "1MB")
