@@ -48,10 +48,16 @@ def around(counted, fault):
     return counted[first:last] or counted[max(first - 1, 0) : last + 1]
 
 
+def executes(facts, fault):
+    """Does a test execute a fault, as far as lines were counted?"""
+    lines = around(facts["counted"].get(fault.file, []), fault)
+    return not set(facts["executed"].get(fault.file, [])).isdisjoint(lines)
+
+
 def shows(facts, fault):
     """Can a test notice a fault? So it may be where nothing was counted, of it or of the file."""
-    lines = around(facts["counted"].get(fault.file, []), fault)
-    return not facts["executed"] or not lines or not set(facts["executed"].get(fault.file, [])).isdisjoint(lines)
+    uncounted = not facts["executed"] or not around(facts["counted"].get(fault.file, []), fault)
+    return uncounted or executes(facts, fault)
 
 
 def unexecuted(tests):

@@ -102,10 +102,16 @@ class Campaign:
             self.usual[test] = json.loads(file.read_text())
 
     def order(self, part, fault):
-        """The tests that can notice: the quick ones and those that noticed most first, those of hashes last."""
+        """The tests that can notice: those that execute the fault before those of which that is not known; in each the
+        quick ones and those that noticed most first, those of hashes last.
+        """
         noticed = collections.Counter(result["test"] for result in self.results.values() if result)
-        those = [test for test in part.names if lines.shows(self.usual[test][1], fault)]
-        return sorted(those, key=lambda test: ("hash" in test.lower(), self.usual[test][0] / (1 + noticed[test])))
+
+        def rank(test):
+            cpu, facts = self.usual[test]
+            return not lines.executes(facts, fault), "hash" in test.lower(), cpu / (1 + noticed[test])
+
+        return sorted((test for test in part.names if lines.shows(self.usual[test][1], fault)), key=rank)
 
     def run(self, part, fault):
         """The result of a fault: `test` and `failure` are empty if it survived; None if it does not compile, or if

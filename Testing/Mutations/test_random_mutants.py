@@ -275,6 +275,20 @@ class CampaignTest(unittest.TestCase):
         kept = json.loads((self.root / "work" / "results.json").read_text())
         self.assertEqual(len(kept["runs"]["part 1"]), 6)
 
+    def test_those_that_execute_the_fault_run_first(self):
+        campaign, _ = self.campaign(0)
+        fault = next(planting.draw(self.root, "part", 1))
+        here, elsewhere, both = ({fault.file: [fault.line + k for k in more]} for more in ((0,), (99,), (0, 99)))
+        facts = {
+            "QuickTest": ({}, {}), "OtherTest": (elsewhere, both), "HashTest": (here, here),
+            "SlowTest": (here, here), "HashesOfOthers": ({}, {}),
+        }  # fmt: skip
+        self.part.names = list(facts)
+        for test, (executed, counted) in facts.items():
+            campaign.usual[test] = [9.0 if test == "SlowTest" else 0.1, {"executed": executed, "counted": counted}]
+        order = ["SlowTest", "HashTest", "QuickTest", "HashesOfOthers"]
+        self.assertEqual(campaign.order(self.part, fault), order)
+
     def check_report(self, campaign, results):
         """It has the survivors, and why."""
         left = [result for result in results if not result["test"]]
