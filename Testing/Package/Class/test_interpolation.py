@@ -299,6 +299,22 @@ class InterpolationTest(Case):
         self.assertGreater(numbers[1], 10**9, texts)  # KiB
         self.assertEqual(*numbers, texts)
 
+    def test_no_raster_is_found_without_memory_for_that(self):
+        """Where the points lie in the plane takes a copy of them: 24 KiB."""
+        algorithm = Interpolation()
+        algorithm.SetInputData(full(1000))
+        algorithm.GetTriangulation().SetProjectionPlaneMode(1)
+        algorithm.GetTriangulation().SetTransform(vtk("vtkCommonTransforms").vtkSphericalTransform())
+        algorithm.GetTriangulation().SetMemoryLimit(20)
+        said = Said(algorithm)
+        for make, places in ((algorithm.Modified, "65536 places"),
+                             (algorithm.SetRasterSizeToByCellSize, "the places of a raster")):
+            make()
+            algorithm.Update()
+            self.assertRegex(said.errors[-1], "Interpolating at %s from 1000 points may take .* but MemoryLimit" % places)
+            self.assertGreater(algorithm.GetMemoryEstimate(), 50)
+        self.assertEqual(len(said.errors), 2)
+
     def test_values_change_on_a_surface_that_is_kept(self):
         given, algorithm = cloud(square()), Interpolation()
         given.GetPointData().AddArray(array("vtkDoubleArray", "a", [1, 1, 1, 1]))
