@@ -305,7 +305,8 @@ private:
   {
     isAllKnown_ = false;
     const bool isHull = filter_->GetRim() != Filter::TRIMMED && !filter_->GetSource() &&
-      filter_->GetMaximumEdgeLength() == 0.0 && !filter_->GetBoundingTriangulation();
+      filter_->GetMaximumEdgeLength() == 0.0 && filter_->GetAlpha() == 0.0 &&
+      !filter_->GetBoundingTriangulation();
     return isHull                     ? "a point outside of the triangles"
       : errors_ && !std::isnan(given) ? "an error without a triangle"
                                       : "";
