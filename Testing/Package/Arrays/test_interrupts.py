@@ -246,6 +246,26 @@ class InterruptTest(unittest.TestCase):
         names = [call.args[2][0] for call in long.call_args_list if call.args[2][0] in (b"weights", b"weight_points")]
         self.assertEqual(names, [b"weight_points", b"weights"])
 
+    def test_few_places_when_the_tables_are_ready(self):
+        """Of another method, the library may make those of this one first."""
+        made, few = delaunay(cloud(1, 20000)), cloud(2, 9)
+        for method, isLong in (("natural", True), ("linear", False), ("natural", True)):
+            made.weights(few, method=method)
+            with unittest.mock.patch.object(library, "make_call", wraps=library.make_call) as long:
+                made.interpolate(made.points[:, 0], few)
+            self.assertEqual(long.called, isLong, method)
+
+    def test_what_looks_at_all_triangles(self):
+        """Is work that may take long, of few points, too."""
+        made = delaunay(SQUARE)
+        with unittest.mock.patch.object(library, "make_call", wraps=library.make_call) as long:
+            made.refine(20)
+            made.weights(SQUARE)
+            made.outline()
+        names = {call.args[1].__name__ for call in long.call_args_list}
+        wanted = "refine refine_write refine_triangles sample_weights outline"
+        self.assertLessEqual({"ahd_" + name for name in wanted.split()}, names)
+
     def test_few_places_when_the_program_ends(self):
         """A daemon thread ends before them, without a message, though another one's work was cancelled."""
         made, ends = delaunay(SQUARE), []

@@ -304,5 +304,25 @@ class ThreadsTest(unittest.TestCase):
             self.assertEqual(found, list(range(7)))
 
 
+class OptionsTest(TilesTest):
+    def assert_refused(self, said, raster=None, **words):
+        """Before a file is read: there is none."""
+        raster = raster and tiles.GeoTiff(self.at("a.tif"), 1.0, **raster)
+        with self.assertRaisesRegex(tiles.BadOptions, said):
+            tiles.make([self.at("none.npy")], tin=self.at("a.pvtp"), raster=raster, **words)
+        self.assertEqual(os.listdir(self.at("")), [])
+
+    def test_those_that_are_none(self):
+        self.assert_refused("method must be one of linear, .*, not 'cubic'", raster={"method": "cubic"})
+        self.assert_refused("dtype must be float32 or float64, not 'int32'", raster={"dtype": "int32"})
+        self.assert_refused("duplicates must be one of lowest, highest, first, not 'mean_z'", duplicates="mean_z")
+        for words in ({"leaf": 0}, {"leaf": (1 << 26) + 1}, {"piece": 0}, {"piece": (1 << 28) + 1}):
+            self.assert_refused("leaf must be from 1 to 67108864, and piece to 268435456", **words)
+
+    def test_a_raster_that_nothing_can_write(self):
+        with unittest.mock.patch.object(_exchange, "writer", lambda: None):
+            self.assert_refused("needs rasterio or GDAL, and Python finds neither", raster={"method": "linear"})
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -311,7 +311,7 @@ class InterpolationTest(Case):
                              (algorithm.SetRasterSizeToByCellSize, "the places of a raster")):
             make()
             algorithm.Update()
-            self.assertRegex(said.errors[-1], places + " from 1000 points may take .* but MemoryLimit")
+            self.assertRegex(said.errors[-1], "Interpolating at %s from 1000 points may take .* MemoryLimit" % places)
             self.assertGreater(algorithm.GetMemoryEstimate(), 50)
         self.assertEqual(len(said.errors), 2)
 
