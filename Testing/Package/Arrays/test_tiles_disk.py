@@ -102,6 +102,25 @@ class RemovalTest(TilesTest):
             syncs = [j for j in range(k) if said[j] == ("sync", "a.part")]
             self.assertGreater(syncs[-1], pieces[-1])
 
+    @needs_raster
+    @unittest.skipUnless(os.path.exists("/proc/self/maps"), "no list of mapped files")
+    def test_no_file_is_mapped_when_it_is_removed(self):
+        """Windows would not remove it."""
+        remove, mapped, removed = os.remove, [], []
+
+        def looked(path):
+            with open("/proc/self/maps", encoding="utf-8") as file:
+                mapped.extend(line for line in file if str(path) in line)
+            removed.append(path)
+            remove(path)
+
+        raster = tiles.GeoTiff(self.at("a.tif"), 2)
+        for words in ({"tin": self.at("a.pvtp")}, {"raster": raster}):
+            for threads in (1, 2):
+                with unittest.mock.patch.object(os, "remove", looked):
+                    tiles.make([self.path], leaf=60, piece=100, threads=threads, overwrite=True, **words)
+        self.assertEqual((mapped, len(removed) > 60), ([], True))
+
     def test_lines_keep_all(self):
         kept = []
         line = {"type": "LineString", "coordinates": [(5, 5, 1), (90, 50, 2)]}
