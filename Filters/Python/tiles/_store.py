@@ -85,14 +85,11 @@ class Store:
             raise BadOptions("%s is no folder of a run, and is not empty: name another with --work" % self.folder)
         with failing(self.folder):
             os.makedirs(self.folder, exist_ok=True)
-            file = open(self.path(LOCK), "ab")
-        with file:
             try:
-                _lock(file)
-            except (BlockingIOError, PermissionError):
+                file = _held(self.path(LOCK))
+            except BlockingIOError:
                 raise BadOptions("%s: another run is at work there" % self.folder) from None
-            except OSError:  # a disk without locks
-                pass
+        with file:
             try:
                 yield
             finally:
@@ -178,16 +175,28 @@ def _state(path: str) -> Sequence[int]:
     return ()
 
 
-def _lock(file: IO[bytes]) -> None:
-    """OSError: BlockingIOError or, on Windows, PermissionError if somebody else has it."""
-    if sys.platform == "win32":
-        import msvcrt
+def _held(path: str) -> IO[bytes]:
+    """A file that this run alone has while it is open. BlockingIOError if another has it, OSError."""
+    if sys.platform == "win32":  # which removes no open file; not every C library says why a lock failed
+        try:
+            with contextlib.suppress(FileNotFoundError):
+                os.remove(path)
+            return open(path, "xb")
+        except (PermissionError, FileExistsError) as error:
+            if not os.path.exists(path):
+                raise
+            raise BlockingIOError(str(error)) from error
+    import fcntl
 
-        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
-    else:
-        import fcntl
-
+    file = open(path, "ab")
+    try:
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        file.close()
+        raise
+    except OSError:  # a disk without locks
+        pass
+    return file
 
 
 @contextlib.contextmanager
