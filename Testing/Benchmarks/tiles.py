@@ -87,9 +87,9 @@ class Watch(threading.Thread):
 
     def run(self):
         while self.process.poll() is None:
-            found = subprocess.run(["du", "-sbc", *self.begin.parent.glob(self.begin.name + "*")], capture_output=True,
-                                   text=True)  # fmt: skip
-            self.disk = max(self.disk, int((found.stdout or "0").splitlines()[-1].split()[0]))
+            there = list(self.begin.parent.glob(self.begin.name + "*"))
+            found = there and subprocess.run(["du", "-sbc", *there], capture_output=True, text=True).stdout
+            self.disk = max(self.disk, int((found or "0").splitlines()[-1].split()[0]))
             with contextlib.suppress(OSError, ValueError, StopIteration):
                 status = Path("/proc/%d/status" % self.process.pid).read_text().splitlines()
                 self.memory = max(self.memory, next(int(one.split()[1]) for one in status if one.startswith("VmHWM")))
@@ -119,7 +119,7 @@ def run(survey, result, words):
         sys.exit("exit code %d: %s" % (process.returncode, words))
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     made = json.loads(said)
-    plan = {name: made["plan"][name] for name in ("leaves", "memory", "disk", "output", "seconds", "steps")}
+    plan = {name: made["plan"][name] for name in ("leaves", "memory", "disk", "output", "both", "seconds", "steps")}
     return {"wall s": made["seconds"], "cpu s": after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime,
             "steps s": made["steps"], "memory": 1024 * watch.memory, "disk": watch.disk, "plan": plan}  # fmt: skip
 
