@@ -196,7 +196,7 @@ void expectLattice(std::uint64_t seed)
 
 TEST(TilesLines, LatticesAreAsInOneRun)
 {
-  for (std::uint64_t seed = 0; seed != reduced(500); ++seed)
+  for (std::uint64_t seed = 0; seed != reduced(150); ++seed)
   {
     expectLattice(seed);
   }
@@ -204,7 +204,7 @@ TEST(TilesLines, LatticesAreAsInOneRun)
 
 TEST(LongTilesLines, LatticesAreAsInOneRun)
 {
-  for (std::uint64_t seed = 0; seed != 100000; ++seed)
+  for (std::uint64_t seed = 0; seed != 20000; ++seed)
   {
     expectLattice(seed);
   }
