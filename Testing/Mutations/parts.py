@@ -56,7 +56,7 @@ JOB = Tests(
 TESTS = {
     "Filters/": VTK_LAYER,
     "Filters/Ranks/": Tests(
-        ("FilterTests", "FaultsRanks", "AdaptiveHilbertDelaunayFiltersPython"),
+        ("FilterTests", "FaultsRanks", "AdaptiveHilbertDelaunayFiltersPython", "AdaptiveHilbertDelaunayPythonLibrary"),
         (("FilterTests", "*Rank*"),),
         r"Filter\.Ranks\..*",
     ),

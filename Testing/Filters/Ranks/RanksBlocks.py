@@ -165,6 +165,20 @@ def try_partitions(nothing):
         compare_block(found, k, had, STATUS)
 
 
+def try_fewer():
+    """A rank without a block gets those of the others, also one that none has."""
+    first, *_ = three()
+    given = make_multi([first[RANK], [None], None]) if RANK < RANKS - 1 else vtkMultiBlockDataSet()
+    found = on_all_ranks("fewer", lambda: run_blocks(given, STATUS))
+    if RANK:
+        return
+    for rank, part in enumerate(found):
+        kinds = part["structure"][2]
+        check([kinds[0], kinds[1][0], len(kinds[1][2]), kinds[2:]] == ["block", "multi", 1, ["block"]],
+              "rank %d: %r" % (rank, kinds))
+    compare_block(found, 0, first[:-1] + [Piece([])], STATUS)
+
+
 def try_source():
     """The same source is for each block."""
     first, second, _ = three()
@@ -232,6 +246,7 @@ tries = {
     "multi-block, one rank does it all": (try_gathered,),
     "partitions": (try_partitions, None),
     "partitions and a table": (try_partitions, vtkTable()),
+    "fewer": (try_fewer,),
     "source": (try_source,),
     "different counts": (try_different, make_multi(some[:3] if last else some[:2]), RANKS - 1),
     "different depths": (try_different, make_multi([[some[0]]] if last else [some[0]]), RANKS - 1),
