@@ -40,8 +40,8 @@ def ahead(items: Iterable[Item], depth: int = 1) -> Generator[Item, None, None]:
             put(None, error)
 
     thread = threading.Thread(target=make, name="tiles")
-    thread.start()
     try:
+        thread.start()
         while True:
             try:
                 got = made.get(timeout=1.0)  # not for ever: Ctrl-C on Windows
@@ -54,7 +54,8 @@ def ahead(items: Iterable[Item], depth: int = 1) -> Generator[Item, None, None]:
             yield got[0]
     finally:
         isOver.set()
-        thread.join()
+        if thread.is_alive():  # Ctrl-C may have come while start() waited for it to begin
+            thread.join()
 
 
 class Workers:

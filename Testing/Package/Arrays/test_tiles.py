@@ -303,6 +303,22 @@ class ThreadsTest(unittest.TestCase):
                     found.append(one)
             self.assertEqual(found, list(range(7)))
 
+    def test_ctrl_c_while_a_thread_begins(self):
+        """It ends; the program would wait for it for ever."""
+        begun = []
+
+        class Interrupted(threading.Thread):
+            def start(self):
+                self.daemon = True
+                super().start()
+                begun.append(self)
+                raise KeyboardInterrupt
+
+        with unittest.mock.patch.object(_work.threading, "Thread", Interrupted):
+            with self.assertRaises(KeyboardInterrupt):
+                next(_work.ahead(range(50)))
+        self.assertFalse(begun[0].is_alive())
+
 
 class OptionsTest(TilesTest):
     def assert_refused(self, said, raster=None, **words):
