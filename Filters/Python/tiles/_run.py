@@ -164,11 +164,12 @@ class Run:
 
     def _settings(self) -> Dict[str, Any]:
         """For the manifest. What leaves and nodes made is of one version of the library and one kind of processor, and
-        one package compresses all pieces."""
+        one package compresses all pieces of a TIN."""
         chains, sha = self.points.chains, hashlib.sha256()
         for one in (chains.points, chains.offsets, np.array([chains.lines])):
             sha.update(one.tobytes())
-        of = {"version": _interface.__version__, "processor": platform.machine(), "deflate": _pvtp.DEFLATE}
+        of = {"version": _interface.__version__, "processor": platform.machine(),
+              "deflate": self.folder and _pvtp.DEFLATE}  # fmt: skip
         return {**self.options.settings(), **of, "chains": sha.hexdigest()}
 
     def _extent(self, bounds: Any) -> Optional[Sequence[float]]:

@@ -216,6 +216,14 @@ class CompressionTest(TilesTest):
             code, said = self.command(*words, "--resume")
         self.assertEqual((code, "other files" in said), (2, True))
 
+    @needs_raster
+    def test_a_raster_goes_on_with_either(self):
+        words = [self.saved(POINTS), "--raster", self.at("a.tif"), "--cell", "1"]
+        with unittest.mock.patch.object(_run.Run, "_visit", side_effect=KeyboardInterrupt):
+            self.assertEqual(self.command(*words)[0], 130)
+        with unittest.mock.patch.object(_pvtp, "DEFLATE", "another"):
+            self.assertEqual(self.command(*words, "--resume")[0], 0)
+
 
 if __name__ == "__main__":
     unittest.main()
