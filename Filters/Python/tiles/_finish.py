@@ -50,8 +50,9 @@ class Finish:
         self.store, self.plan, self.kind, self.wanted = store, plan, kind, wanted
         self.begins = plan.begins
 
-    def piece(self, group: range) -> str:
-        return "%s/%d.vtp" % (self.wanted.pieces, group[0])
+    def piece(self, group: range, folder: Optional[str] = None) -> str:
+        """`folder`: which the pieces have moved to."""
+        return "%s/%d.vtp" % (folder or self.wanted.pieces, group[0])
 
     def cells(self, leaf: int) -> str:
         return self.store.path("cells", "%d.npy" % leaf)

@@ -243,7 +243,7 @@ class Run:
         self._scatter(workers)
         self._visit(workers)
         groups = groups_of(self.plan, self.options.piece if self.folder else 0)
-        if not self._has_all(finish):
+        if not self._has_all(finish, groups):
             self._finish(workers, finish, groups)
         self.segments_crossing = leaves.segments_crossing(finish.shares(0))
         self._write(finish, groups)
@@ -264,11 +264,12 @@ class Run:
         self.tell.begin("visit", len(visits.parents), len(visits.done))
         visits.run(workers, self.tell)
 
-    def _has_all(self, finish: Finish) -> bool:
-        """Need results only be put together?"""
-        pieces = finish.wanted.pieces
-        isThere = pieces is None or self._is_own(pieces) or self._is_own(cast(str, self.folder))
-        return self.store.has(FINISHED) and isThere
+    def _has_all(self, finish: Finish, groups: Sequence[range]) -> bool:
+        """Need results only be put together? Somebody may have removed pieces."""
+        if not self.store.has(FINISHED) or finish.wanted.pieces is None:
+            return self.store.has(FINISHED)
+        folders = filter(self._is_own, (finish.wanted.pieces, cast(str, self.folder)))
+        return any(all(os.path.exists(finish.piece(group, folder)) for group in groups) for folder in folders)
 
     def _finish(self, workers: Workers, finish: Finish, groups: List[range]) -> None:
         pieces = finish.wanted.pieces
@@ -294,6 +295,7 @@ class Run:
             return []
 
         workers.run(left, finish.work, ended)
+        finish.sync()  # before anybody relies on it, or the work is removed
         self.store.save(FINISHED, len(groups))
 
     def _is_own(self, pieces: str) -> bool:

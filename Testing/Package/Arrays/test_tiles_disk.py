@@ -83,6 +83,36 @@ class RemovalTest(TilesTest):
             self.assertEqual(self.command(*self.words("--resume"))[0], 0)
         self.assert_is_one_piece(POINTS, self.at("a.pvtp"))
 
+    def test_some_pieces_that_somebody_removed(self):
+        """Of a run that is at its end: before the folder has its name, and after."""
+        for method, name in (("_write", "a.part"), ("_write_tin", "a.part"), (None, "a")):
+            patch = unittest.mock.patch.object(_pvtp, "write_list", side_effect=KeyboardInterrupt) if not method else \
+                unittest.mock.patch.object(_run.Run, method, side_effect=KeyboardInterrupt)  # fmt: skip
+            with patch:
+                self.assertEqual(self.command(*self.words("--overwrite"))[0], 130)
+            pieces = sorted(one for one in os.listdir(self.at(name)) if one.endswith(".vtp"))
+            for one in pieces[1:3]:
+                os.remove(self.at(name, one))
+            self.assertEqual(self.command(*self.words("--resume"))[0], 0)
+            self.assert_is_one_piece(POINTS, self.at("a.pvtp"))
+            self.assertEqual(sorted(os.listdir(self.folder)), ["a", "a.pvtp", "points.npy"])
+
+    def test_all_is_on_the_disk_before_it_is_said(self):
+        """That only the list is missing: a power cut may take back what no folder was synced for."""
+        line, said = {"type": "LineString", "coordinates": [(5, 5, 1), (90, 50, 2)]}, []
+        sync, replace = _finish.sync, os.replace
+
+        def told(call):
+            return lambda *given: (said.append(os.path.basename(str(given[-1]))), call(*given))
+
+        for lines in ([], [line]):
+            with unittest.mock.patch.object(_finish, "BATCH", 1 << 20), \
+                    unittest.mock.patch.object(_finish, "sync", told(sync)), \
+                    unittest.mock.patch.object(_store.os, "replace", told(replace)):  # fmt: skip
+                tiles.make([self.path], tin=self.at("a.pvtp"), leaf=60, piece=100, lines=lines, overwrite=True)
+            last = max(k for k, name in enumerate(said) if name.endswith(".vtp"))
+            self.assertIn("a.part", said[last : said.index("finished.json", last)])
+
     def test_what_is_done_is_on_the_disk_first(self):
         """A power cut may take a piece back that was renamed, not one whose folder was synced."""
         said = []
