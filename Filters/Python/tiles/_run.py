@@ -206,7 +206,8 @@ class Run:
         """With as many threads as there is memory for, one at least."""
         given, shape = self.options.raster, None if self.raster is None else self.raster.shape
         record, keeps = self.points.kind.itemsize + 24 * self._has_lines(), self._has_lines()
-        isLess = is_scattered(self.store) and not keeps  # as some are removed
+        # as some are removed, which come anew where their pieces are gone
+        isLess = is_scattered(self.store) and not keeps and (not self.folder or len(self._own_folders()) > 0)
         kind = _plan.Kind(given.method if given else "linear", given.dtype if given else "float32", record,
                           _bytes_in(self.store.path("leaf")) if isLess else record * counted.points,
                           self.options.piece if self.folder else 0, keeps)  # fmt: skip
@@ -268,8 +269,13 @@ class Run:
         """Need results only be put together? Somebody may have removed pieces."""
         if not self.store.has(FINISHED) or finish.wanted.pieces is None:
             return self.store.has(FINISHED)
-        folders = filter(self._is_own, (finish.wanted.pieces, cast(str, self.folder)))
-        return any(all(os.path.exists(finish.piece(group, folder)) for group in groups) for folder in folders)
+        return any(all(os.path.exists(finish.piece(group, folder)) for group in groups)
+                   for folder in self._own_folders())  # fmt: skip
+
+    def _own_folders(self) -> List[str]:
+        """Of pieces of this run: two at the most, of which one will be, or is, renamed to the other."""
+        assert self.folder is not None
+        return list(filter(self._is_own, (self.folder + PART, self.folder)))
 
     def _finish(self, workers: Workers, finish: Finish, groups: List[range]) -> None:
         pieces = finish.wanted.pieces

@@ -175,6 +175,17 @@ class RemovalTest(TilesTest):
         self.assertEqual(plans[0].disk - plans[1].disk, 32 * len(POINTS))
         self.assertEqual(plans[1], made.plan)
 
+    def test_a_plan_of_points_that_come_anew(self):
+        """As those of leaves whose pieces somebody removed."""
+        plans = []
+        with unittest.mock.patch.object(_run.Run, "_write", side_effect=KeyboardInterrupt):
+            for _ in range(2):
+                with contextlib.suppress(KeyboardInterrupt):
+                    tiles.make([self.path], tin=self.at("a.pvtp"), leaf=60, piece=100, resume=True, show=plans.append)
+                self.assertEqual(self.leaves(), 0)
+                shutil.rmtree(self.at("a.part"))
+        self.assertEqual(plans[0].disk, plans[1].disk)
+
 
 class RecordTest(TilesTest):
     def test_fields_that_no_file_has_take_no_room(self):
