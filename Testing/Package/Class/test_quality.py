@@ -62,6 +62,7 @@ class QualityMeshTest(Case):
         self.assertEqual(numbers(pieces.GetCellData(), "SourceCell"), mesh.markers[:, 0].tolist())
         self.assertEqual(numbers(pieces.GetCellData(), "IsBoundary"), mesh.on_boundary.tolist())
         self.assertEqual(pieces.GetNumberOfPoints(), len(points))
+        self.assertEqual(numbers(pieces.GetPointData(), "Value"), numbers(found.GetPointData(), "Value"))
         self.assertEqual(made.GetNumberOfAddedPoints(), len(mesh.corners))
         self.assertEqual(made.GetNumberOfBadTriangles(), len(mesh.bad))
         self.assertEqual(made.GetNumberOfEncroachedPieces(), mesh.encroached_pieces)
