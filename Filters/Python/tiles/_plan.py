@@ -12,7 +12,6 @@ from typing import Dict, NamedTuple, Optional, Tuple
 import numpy as np
 
 from .._interface import available_memory
-from . import _pvtp
 from ._errors import BadOptions, NoRoom
 from ._finish import BATCH, CELLS
 from ._points import Counted
@@ -27,8 +26,7 @@ _CELL = 22.0  # and for each of its cells
 _PIECE = 175.0  # and for each point of a piece of a TIN
 _SHARE = 520.0  # bytes of borders and shares for each sqrt(points) of a leaf
 _RIM = 0.8  # times the root of the groups: so many are done and have points that others need
-_SCATTER, _VISIT, _FINISH = 60e-9, 210e-9, 230e-9
-_TIN = {"zlib": 850e-9, "isal": 350e-9}[_pvtp.DEFLATE]
+_SCATTER, _VISIT, _FINISH, _TIN = 60e-9, 210e-9, 230e-9, 850e-9
 _CELLS = {"linear": 70e-9, "natural": 450e-9, "laplace": 450e-9, "nearest": 150e-9}
 _MOSAIC, _TIFF = 20e-9, 50e-9
 

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A surface as VTK's XML files: pieces (.vtp, appended raw, compressed by zlib or, where it is there, by isal, whose
-streams VTK reads, too) and the .pvtp that lists them."""
+"""A surface as VTK's XML files: pieces (.vtp, appended raw, compressed by zlib) and the .pvtp that lists them."""
 
 from __future__ import annotations
 
@@ -13,19 +12,6 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 
 from ._store import written
-
-
-def _isal() -> Any:
-    """What compresses all but offsets to the size of zlib's level 1 in a fifth of the time. None if it is not there."""
-    try:
-        from isal import isal_zlib
-    except ImportError:
-        return None
-    return isal_zlib
-
-
-ISAL = _isal()
-DEFLATE = "zlib" if ISAL is None else "isal"
 
 IDS = "GlobalPointIds"
 RUN = "run"  #: in the folder of pieces until the TIN is whole: of which run they are
@@ -52,15 +38,10 @@ def _array(kind: np.dtype, name: str, columns: int, tail: str) -> str:
     return '<DataArray type="%s" Name="%s"%s%s/>' % (_TYPES[kind.str[1:]], name, more, tail)
 
 
-def _deflated(data: Any) -> bytes:
-    made: bytes = zlib.compress(data, 1) if ISAL is None else ISAL.compress(data, 2)
-    return made
-
-
 def _appended(file: IO[bytes], array: np.ndarray) -> None:
     """Writes it as vtkZLibDataCompressor does."""
     data = np.ascontiguousarray(array, array.dtype.newbyteorder("<")).reshape(-1).view(np.uint8).data
-    blocks = [_deflated(data[begin : begin + _BLOCK]) for begin in range(0, len(data), _BLOCK)]
+    blocks = [zlib.compress(data[begin : begin + _BLOCK], 1) for begin in range(0, len(data), _BLOCK)]
     _write_blocks(file, blocks, _BLOCK, len(data))
 
 
@@ -74,7 +55,7 @@ def _write_blocks(file: IO[bytes], blocks: Sequence[bytes], size: int, length: i
 
 @functools.lru_cache(512)  # 20 kB each
 def _offsets_block(begin: int, count: int) -> bytes:
-    """Where triangles end: the same numbers in each piece, which zlib makes half as large as isal."""
+    """Where triangles end: the same numbers in each piece."""
     return zlib.compress(np.arange(3 * begin + 3, 3 * (begin + count) + 3, 3, dtype="<i4").tobytes(), 1)
 
 

@@ -163,13 +163,11 @@ class Run:
             raise BadOptions("%s is there already: --overwrite replaces it" % there[0])
 
     def _settings(self) -> Dict[str, Any]:
-        """For the manifest. What leaves and nodes made is of one version of the library and one kind of processor, and
-        one package compresses all pieces of a TIN."""
+        """For the manifest. What leaves and nodes made is of one version of the library and one kind of processor."""
         chains, sha = self.points.chains, hashlib.sha256()
         for one in (chains.points, chains.offsets, np.array([chains.lines])):
             sha.update(one.tobytes())
-        of = {"version": _interface.__version__, "processor": platform.machine(),
-              "deflate": self.folder and _pvtp.DEFLATE}  # fmt: skip
+        of = {"version": _interface.__version__, "processor": platform.machine()}
         return {**self.options.settings(), **of, "chains": sha.hexdigest()}
 
     def _extent(self, bounds: Any) -> Optional[Sequence[float]]:

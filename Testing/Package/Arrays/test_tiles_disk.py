@@ -228,11 +228,6 @@ class CompressionTest(TilesTest):
                 np.testing.assert_array_equal(one, other)
         self.assertEqual(len(found), len(want))
 
-    def test_by_either_package(self):
-        with unittest.mock.patch.object(_pvtp, "ISAL", None):
-            want = self.pieces()
-        self.assert_same(self.pieces(), want)
-
     def test_blocks_of_offsets(self):
         """read_piece() compares the offsets."""
         want = self.pieces()
@@ -240,30 +235,6 @@ class CompressionTest(TilesTest):
             _pvtp._offsets_block.cache_clear()
             with unittest.mock.patch.object(_pvtp, "_OFFSETS", size):
                 self.assert_same(self.pieces(), want)
-
-    def test_the_same_bytes_each_time(self):
-        """Whatever memory the package has used before."""
-        array, found = np.random.default_rng(1).integers(0, 9, 1 << 17).astype(np.int32), set()
-        for k in range(50):
-            found.add(_pvtp._deflated(array.view(np.uint8).data))
-            _pvtp._deflated(bytes(range(k, k + 100)) * 1000)
-        self.assertEqual(len(found), 1)
-
-    def test_a_run_goes_on_with_the_same_package_only(self):
-        words = [self.saved(POINTS), "--tin", self.at("a.pvtp")]
-        with unittest.mock.patch.object(_run.Run, "_visit", side_effect=KeyboardInterrupt):
-            self.assertEqual(self.command(*words)[0], 130)
-        with unittest.mock.patch.object(_pvtp, "DEFLATE", "another"):
-            code, said = self.command(*words, "--resume")
-        self.assertEqual((code, "other files" in said), (2, True))
-
-    @needs_raster
-    def test_a_raster_goes_on_with_either(self):
-        words = [self.saved(POINTS), "--raster", self.at("a.tif"), "--cell", "1"]
-        with unittest.mock.patch.object(_run.Run, "_visit", side_effect=KeyboardInterrupt):
-            self.assertEqual(self.command(*words)[0], 130)
-        with unittest.mock.patch.object(_pvtp, "DEFLATE", "another"):
-            self.assertEqual(self.command(*words, "--resume")[0], 0)
 
 
 if __name__ == "__main__":
