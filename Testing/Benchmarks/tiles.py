@@ -165,8 +165,9 @@ def wrong_windows(survey, path, count, cell, bounds):
             margin, found = AROUND, None
             while found is None and margin <= MOST_AROUND:
                 points = survey.around(low - margin, low + WINDOW * cell + margin)
-                if is_enough(points, low, low + WINDOW * cell, margin):
-                    found = values_of_one_piece(points, bounds, cells).astype(np.float32)
+                values = values_of_one_piece(points, bounds, cells).astype(np.float32)
+                if not np.isnan(values).any() and is_enough(points, low, low + WINDOW * cell, margin):
+                    found = values  # of triangles that are those of all points; in a hole there may be none at first
                 margin *= 2
             if found is None:  # at the rim
                 continue
