@@ -11,7 +11,7 @@ Points are in strips, a .npy of float32 for each, as lines of flight are: one fo
   --windows N   N random windows of 32 x 32 cells are compared with runs of the points around them, to the byte
   --tin         a TIN; its number of triangles is compared with Euler's, 2 n - 2 - hull
   --whole       triangles' SHA-256 (--tin) or all cells are compared with those of one run of all points (84 bytes a
-                point of memory, and more)
+                point of memory, and 150 a cell)
 """
 
 import argparse
