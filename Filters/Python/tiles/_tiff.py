@@ -66,7 +66,7 @@ def system(crs: Any) -> Any:
 @contextlib.contextmanager
 def _little_cache(gdal: Any) -> Iterator[None]:
     if gdal.__name__ == "rasterio":
-        with gdal.Env(GDAL_CACHEMAX=_CACHE, GDAL_NUM_THREADS="1"):  # where no number is asked for
+        with gdal.Env(GDAL_CACHEMAX=_CACHE):
             yield
         return
     before = gdal.GetCacheMax()
