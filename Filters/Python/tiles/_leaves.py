@@ -105,11 +105,10 @@ class Leaves(Job):
         return self.array("tiles_list_ids", np.int64)
 
     def segments_crossing(self, shares: Sequence[np.ndarray]) -> int:
-        """How many segments of lines and loops are left out, as they cross an earlier one. `shares`: of the nodes above
-        leaf 0."""
+        """How many segments of lines and loops are left out, as they cross an earlier one. There are lines or loops.
+        `shares`: of the nodes above leaf 0."""
         self.listed(0, shares)
-        counts = self.array("tiles_constraints", np.int64)
-        return int(counts[_CROSSING]) if len(counts) else 0
+        return int(self.array("tiles_constraints", np.int64)[_CROSSING])
 
     def surface(self, leaf: int, points: np.ndarray, own: np.ndarray, shares: Sequence[np.ndarray], longest: float
                 ) -> Tuple[np.ndarray, bool]:  # fmt: skip

@@ -83,7 +83,7 @@ class Run:
         options.check()
         self.options, self.show, self.begin = options, show, time.monotonic()
         self.tell = _Told(progress)
-        self.files, self.raster, self.segments_crossing = options.files_found(), cast(Optional[Raster], None), 0
+        self.files, self.raster = options.files_found(), cast(Optional[Raster], None)
         self.store = Store(options.work or options.outputs[0] + ".work")
         self.folder = os.path.splitext(os.path.abspath(options.tin))[0] if options.tin else None  # of the pieces
         chains = chains_of(options.lines, options.loops)
@@ -118,12 +118,11 @@ class Run:
         planned = self._planned(counted)
         self.show(planned)
         self._check_room(planned)
-        if not options.plan_only:
-            self._make(leaves, counted, planned)
+        crossing = 0 if options.plan_only else self._make(leaves, counted)
         self.tell.end()
         outputs = [] if options.plan_only else options.outputs
-        return Result(planned, outputs, points.skipped, self.segments_crossing, time.monotonic() - self.begin,
-                      self.tell.spent)  # fmt: skip
+        seconds = time.monotonic() - self.begin
+        return Result(planned, outputs, points.skipped, crossing, seconds, self.tell.spent)
 
     # --- before the work ---
 
@@ -227,7 +226,8 @@ class Run:
 
     # --- the work ---
 
-    def _make(self, leaves: Leaves, counted: Counted, planned: _plan.Plan) -> None:
+    def _make(self, leaves: Leaves, counted: Counted) -> int:
+        """Returns how many segments cross earlier ones."""
         raster, cells, count_ = self.options.raster, self.raster, len(self.plan.counts)
         windows = [leaves.cells(leaf, cells) for leaf in range(count_)] if cells else []
         wanted = Wanted(cells, windows, METHODS.index(raster.method) if raster else 0,
@@ -244,12 +244,13 @@ class Run:
         groups = groups_of(self.plan, self.options.piece if self.folder else 0)
         if not self._has_all(finish, groups):
             self._finish(workers, finish, groups)
-        self.segments_crossing = leaves.segments_crossing(finish.shares(0))
+        crossing = leaves.segments_crossing(finish.shares(0)) if self._has_lines() else 0
         self._write(finish, groups)
         self.store.end()
         if self.folder is not None:
             with contextlib.suppress(OSError):
                 os.remove(os.path.join(self.folder, _pvtp.RUN))
+        return crossing
 
     def _has_lines(self) -> bool:
         return len(self.points.chains.points) > 0
