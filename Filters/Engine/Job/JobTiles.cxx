@@ -4,6 +4,7 @@
 #include "../Core/Border.h"
 #include "../Core/Chunks.h"
 #include "../Core/FloatingPoint.h"
+#include "../Core/SizeInWords.h"
 #include "Arrays.h"
 #include "CheckedMemory.h"
 #include "Job.h"
@@ -244,12 +245,10 @@ std::size_t pointsOf(const std::vector<TileBorder>& borders)
 /// Of what was needed up to here, for borders with so many points.
 [[noreturn]] void refuseMemory(const CheckedMemory& checked, std::size_t points)
 {
-  const auto inMegabytes = [](std::size_t bytes)
-  { return std::to_string(bytes / 1000000) + " MB"; };
   refuse(Reason::MemoryLimit,
     "Merging borders of " + std::to_string(points) + " points takes " +
-      inMegabytes(checked.needed) + " of memory or more, and there are " +
-      inMegabytes(checked.allowed) +
+      sizeInWords(checked.needed, Rounded::Up) + " of memory or more, and there are " +
+      sizeInWords(checked.allowed, Rounded::Down) +
       ". Points along borders of leaves and along lines are at borders, and nearly all of those on "
       "a circle or a straight line, where most leaves need most of each other's points: larger "
       "leaves, or one run, take less.");

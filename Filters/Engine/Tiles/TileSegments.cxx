@@ -76,11 +76,7 @@ TileSegments::TileSegments(const TileLines& lines)
 
 bool TileSegments::listIn(const Bounds& region, std::vector<EndPair>& found, Ticker& ticker) const
 {
-  Box box;
-  box.xmin = region.xmin;
-  box.xmax = region.xmax;
-  box.ymin = region.ymin;
-  box.ymax = region.ymax;
+  const Box box = Box::around({ region.xmin, region.ymin }, { region.xmax, region.ymax });
   const auto enter = [&](const Box& around)
   {
     return !ticker.step(kChildren) ? Levels::Way::Stop
