@@ -10,9 +10,10 @@ A fault is a comparison flipped, a bound off by one, a condition negated, a stat
 lock removed, a constant or an operator changed, an early return, arguments swapped, `and` for `or`, an exception
 swallowed. Each line that is executed is as likely as any other; the seed decides. What does not compile is drawn
 again. Of the tests of that folder (parts.py) those run that execute the line, first those that are quick and noticed
-most before, until the first that fails; more than three times the usual processor time, or thirty times on the clock,
-is noticed too. Python is tested in a copy of a built package, C++ in a build of its own. Results, and what each test
-executes, are kept in the work folder as they come: what has a result is not run again.
+most before, until the first that fails; more than three times the usual processor time, or thirty times on the clock
+without waiting for a processor, is noticed too. Python is tested in a copy of a built package, C++ in a build of its
+own. Results, and what each test executes, are kept in the work folder as they come: what has a result is not run
+again.
 judged.toml lists which faults change nothing that is promised, and why.
 
 exit code  0 every fault was noticed but the equivalent ones; 1 not so; 2 could not run

@@ -407,6 +407,26 @@ class LinesTest(unittest.TestCase):
         self.assertEqual(lines.group_of("Filters/Sampling"), "Filters")
 
 
+@unittest.skipUnless(os.path.exists("/proc/self/schedstat"), "the kernel tells how long threads waited")
+class WaitTest(unittest.TestCase):
+    def start(self, code):
+        process = subprocess.Popen([sys.executable, "-c", code], start_new_session=True)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
+    def test_what_sleeps_is_stopped(self):
+        with self.assertRaises(subprocess.TimeoutExpired):
+            workshop.wait(self.start("import time; time.sleep(60)"), 1.5)
+
+    def test_what_waits_for_a_processor_is_not(self):
+        """Two threads of one processor: one of both always waits."""
+        one = f"import os; os.sched_setaffinity(0, [{min(os.sched_getaffinity(0))}])\n"
+        busy = "import subprocess, sys, time\nwork = 'import time\\nwhile time.process_time() < 2: pass'\n"
+        two = "those = [subprocess.Popen([sys.executable, '-c', work]) for _ in 'ab']\nfor that in those: that.wait()"
+        self.assertEqual(workshop.wait(self.start(one + busy + two), 3), 0)
+
+
 class JudgedTest(unittest.TestCase):
     def test_each_fault_of_the_list_is_one_and_has_a_reason(self):
         for key, row in random_mutants.Judged().rows.items():

@@ -118,7 +118,7 @@ class Workshop:
     def run(self, test, program, cpu_limit):
         """Runs the quick tests of a program until the first that fails.
 
-        Each is stopped after so many seconds of processor time, or ten times as many on the clock."""
+        Each is stopped after so many seconds of processor time, or ten times as many on the clock (execute())."""
         sanitizer, _, name = test.partition(":") if ":" in test else ("", "", test)
         chosen = "-Long*"
         if sanitizer == FILTER and name not in FILTER_PROGRAMS:
@@ -131,7 +131,7 @@ class Workshop:
 
 def execute(command, folder, cpu_limit, environment, is_limited=True):
     """Runs a command in a folder, stopped, and all that it started, after so many seconds of processor time, or ten
-    times as many on the clock. `is_limited`: with 12 GiB of addresses at most.
+    times as many on the clock in which it did not wait for a processor. `is_limited`: with 12 GiB of addresses at most.
     """
 
     def limit():
@@ -154,7 +154,7 @@ def execute(command, folder, cpu_limit, environment, is_limited=True):
             env={**os.environ, **environment},
         )
         try:
-            code = process.wait(timeout=10 * cpu_limit)
+            code = wait(process, 10 * cpu_limit)
         except subprocess.TimeoutExpired:
             code = -signal.SIGXCPU
         finally:
@@ -164,6 +164,29 @@ def execute(command, folder, cpu_limit, environment, is_limited=True):
         output.seek(0)
         text = output.read().decode(errors="replace")
     return Run(failure_in(text, code), time.monotonic() - before, children_cpu() - used)
+
+
+def wait(process, limit):
+    """The exit code of the first process of a session. Raises TimeoutExpired after so many seconds in which none of its
+    threads waited for a processor, so that other work on the machine does not count.
+    """
+    begin, waited = time.monotonic(), {}
+    while True:
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            return process.wait(timeout=1)
+        waited.update(waits_for_processors(process.pid))
+        if time.monotonic() - begin - sum(waited.values()) > limit:
+            raise subprocess.TimeoutExpired(process.args, limit)
+
+
+def waits_for_processors(session):
+    """By thread of a session's processes, the seconds that it was ready to run and did not."""
+    for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        with contextlib.suppress(OSError):  # it ended meanwhile
+            if int(stat.read_text().rpartition(")")[2].split()[3]) != session:
+                continue
+            for thread in stat.parent.glob("task/*/schedstat"):
+                yield str(thread), int(thread.read_text().split()[1]) / 1e9
 
 
 def filter_options():
