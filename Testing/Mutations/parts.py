@@ -44,7 +44,7 @@ VTK_LAYER = Tests(
         ("FaultsCancel", "-Long*"),
         ("FaultsMemory", "-Long*"),
     ),
-    r"Filter\.Ranks\.Ranks(Compare\.2|(Sample|Gathered|Blocks|Updates)\.3)|Package\.Class\.Compiled\.quality",
+    r"Filter\.Ranks\.Ranks(Compare\.2|(Sample|Gathered|Blocks|Updates)\.3)|Package\.Class\.Compiled\..*",
 )
 JOB = Tests(
     ("EngineCInterface", "EngineHiddenOperators", "EngineJobHashes", "EngineJobProgress", "EngineJobSurface",
