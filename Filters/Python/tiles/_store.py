@@ -131,7 +131,7 @@ class Store:
 
     def save_bytes(self, folder: str, name: str, array: np.ndarray) -> None:
         with written(self.path(folder, name)) as file:
-            file.write(memoryview(array))  # type: ignore[arg-type]
+            file.write(array.data)
 
     def load_bytes(self, folder: str, name: str) -> np.ndarray:
         """In the file, where there are any."""
