@@ -190,6 +190,11 @@ def _by_gdal(gdal: Any, path: str, bands: Any, place: Sequence[float], crs: Any,
             piece = np.ascontiguousarray(bands[row : row + some, :, band], dtype)
             made.GetRasterBand(band + 1).WriteRaster(0, row, columns, some, piece.tobytes())
         made.FlushCache()
+        del made
+        # GDAL 3.10 raises no error while a file is closed, as of a full disk
+        found = gdal.OpenEx(path, open_options=["NUM_THREADS=%d" % how.threads])
+        for row, some, band in _places(bands):
+            found.GetRasterBand(band + 1).ReadRaster(0, row, columns, some)
     except RuntimeError as error:
         raise OSError("%s: %s" % (path, error)) from error
 
