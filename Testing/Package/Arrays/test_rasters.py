@@ -100,12 +100,19 @@ class Gdal:
             piece = np.frombuffer(numbers, self.kind).reshape(rows, columns)
             self.written[row : row + rows, column : column + columns, band - 1] = piece
 
-        return SimpleNamespace(WriteRaster=write, SetNoDataValue=lambda _: self.without.append(band))
+        def read(column, row, columns, rows):
+            self.read[row : row + rows, column : column + columns, band - 1] = True
+
+        return SimpleNamespace(WriteRaster=write, ReadRaster=read, SetNoDataValue=lambda _: self.without.append(band))
 
     def UseExceptions(self):
         pass
 
     FlushCache = UseExceptions
+
+    def OpenEx(self, path, open_options):
+        self.read = np.zeros(self.written.shape, bool)
+        return self
 
 
 class OtherPackagesTest(unittest.TestCase):
@@ -133,6 +140,7 @@ class OtherPackagesTest(unittest.TestCase):
                 raster.to_geotiff("none.tif", values)
             self.assertEqual(gdal.kind, kind)
             self.assertTrue((gdal.written == values).all())
+            self.assertTrue(gdal.read.all())  # as GDAL may tell of no error before
             self.assertEqual(gdal.without, [1, 2] if kind in "fd" else [])
             self.assertEqual(gdal.place, (9.5, 1.0, 0.0, 20.5, 0.0, -1.0))
 

@@ -37,7 +37,7 @@ open_up(modules)
 os.unlink(mine)
 shutil.copytree(vtk, mine)  # not links: the package itself must not be mended
 for name in os.listdir(modules):
-    if name.endswith(".so") and ".cpython-" not in name:
+    if name.endswith(".so"):
         os.rename(os.path.join(modules, name), os.path.join(modules, name[:-3] + ".cpython-any.so"))
 
 done = subprocess.run(
