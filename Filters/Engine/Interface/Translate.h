@@ -160,6 +160,7 @@ inline Wording wordingOf(std::int32_t words)
 
 inline Facts factsOf(const ahd_fact* given, std::uint64_t count)
 {
+  checkCount(count, "facts");
   Facts facts;
   for (std::uint64_t k = 0; k < count; ++k)
   {

@@ -62,6 +62,16 @@ static void test_wrong_calls(void)
   CHECK(strncmp(text_of("odd z"), "1 of 2, 3 points have a z ", 26) == 0);
 }
 
+/* A count that no memory has, as a caller's -1: no fact is read. */
+static void test_absurd_counts(void)
+{
+  const ahd_fact odd = { "odd_z", NULL, 1, 0.0 };
+  ahd_job* job = ahd_job_new();
+  CHECK(say(job, AHD_WORDS_OF_C, &odd, UINT64_MAX, sizeof said) == 0 && said[0] == '?');
+  CHECK_SAYS(job, "facts do not fit in any memory");
+  ahd_job_free(job);
+}
+
 static void test_job(void)
 {
   const double xyz[] = { 0, 0, 0, 1, 0, 0, NAN, 1, 0, 0, 1, 0, 2, 2, 0 };
@@ -116,5 +126,6 @@ void test_messages(void)
   test_run_that_ended();
   test_room();
   test_wrong_calls();
+  test_absurd_counts();
   test_job();
 }
