@@ -4,6 +4,7 @@
 // operator new counts, and fails on demand.
 #include "ConstraintMakers.h"
 #include "FailingJob.h"
+#include "Interface/Call.h"
 
 #include <gtest/gtest.h>
 
@@ -304,6 +305,31 @@ TEST(JobTrouble, WhatCallbacksThrowGoesNoFurther)
   EXPECT_EQ(run.run(), AHD_CANCELLED);
   run.set("plane", std::int64_t(AHD_PLANE_XY));
   EXPECT_EQ(run.run(), AHD_OK);
+}
+
+/// Whatever work throws, its call ends with a status and a message, and the next one may begin.
+TEST(JobTrouble, EachExceptionIsAStatusAndAMessage)
+{
+  const struct
+  {
+    std::function<void()> work;
+    ahd_status status;
+    const char* message;
+  } rows[] = {
+    { [] { throw std::bad_alloc(); }, AHD_OUT_OF_MEMORY, "Out of memory." },
+    { [] { throw std::length_error("of a vector"); }, AHD_OUT_OF_MEMORY, "Out of memory." },
+    { [] { throw std::runtime_error("unforeseen"); }, AHD_FAILED, "A fault of the library." },
+    { [] { throw 7; }, AHD_FAILED, "A fault of the library." },
+    { [] { refuse(Reason::BadValue, "Why."); }, AHD_BAD_VALUE, "Why." },
+  };
+  JobRun run;
+  for (const auto& row : rows)
+  {
+    EXPECT_EQ(calls::call(run.job(), [&](Job&) { row.work(); }), row.status);
+    EXPECT_STREQ(ahd_message(run.job()), row.message);
+    EXPECT_EQ(calls::call(run.job(), [](Job&) {}), AHD_OK);
+    EXPECT_STREQ(ahd_message(run.job()), "");
+  }
 }
 
 /// A raster beyond the points on all sides, sampled by one method, with places outside filled.
