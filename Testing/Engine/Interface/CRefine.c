@@ -146,6 +146,66 @@ static void test_a_run_with_them(void)
   ahd_job_free(job);
 }
 
+/* Both are the same triangle: its corners counterclockwise, from any of them. */
+static int is_same_triangle(const int32_t* one, const int64_t* other)
+{
+  int from;
+  for (from = 0; from < 3; ++from)
+  {
+    if (one[from] == other[0] && one[(from + 1) % 3] == other[1] && one[(from + 2) % 3] == other[2])
+    {
+      return 1;
+    }
+  }
+  return 0;
+}
+
+/* With a few points only, triangles that are too large or narrow are named by their corners and by
+ * their numbers alike. */
+static void test_what_is_left(void)
+{
+  const ahd_refine_request wished = { 20.0, 4.0, 0.0, NULL, 5 };
+  ahd_refine_report report;
+  ahd_refined made;
+  ahd_refined_triangles triangles;
+  ahd_job *job = ahd_job_of(kSquares, 8, 2), *run;
+  double all[26];
+  int32_t* corners;
+  uint64_t k;
+  CHECK_OK(job, ahd_run(job));
+  CHECK_OK(job, ahd_refine(job, &wished, &report));
+  CHECK(report.points == 5 && report.bad > 2 && report.bad < report.triangles);
+  memcpy(all, kSquares, 16 * sizeof(double));
+  memset(&made, 0, sizeof made);
+  made.places = all + 16;
+  made.bad = (int64_t*)malloc(3 * report.bad * sizeof(int64_t));
+  made.reasons = (int32_t*)malloc(report.bad * sizeof(int32_t));
+  CHECK_OK(job, ahd_refine_write(job, &made));
+  run = ahd_job_of(all, 13, 2);
+  CHECK_OK(run, ahd_run(run));
+  memset(&triangles, 0, sizeof triangles);
+  triangles.count = (uint64_t)ahd_counted(run, "triangles");
+  CHECK(triangles.count == report.triangles);
+  corners = (int32_t*)malloc(3 * triangles.count * sizeof(int32_t));
+  CHECK_OK(run, ahd_get_array(run, "triangles", AHD_INT32, corners, 3 * triangles.count));
+  triangles.corners = corners;
+  triangles.bad = (int64_t*)malloc(report.bad * sizeof(int64_t));
+  CHECK_OK(job, ahd_refine_triangles(job, &triangles));
+  for (k = 0; k < report.bad; ++k)
+  {
+    const int64_t number = triangles.bad[k];
+    CHECK(number >= 0 && (uint64_t)number < triangles.count);
+    CHECK(is_same_triangle(corners + 3 * number, made.bad + 3 * k));
+    CHECK(made.reasons[k] == AHD_REFINE_BUDGET);
+  }
+  free(corners);
+  free(triangles.bad);
+  free(made.bad);
+  free(made.reasons);
+  ahd_job_free(run);
+  ahd_job_free(job);
+}
+
 static int32_t cancel(void* user, int32_t phase, double fraction)
 {
   (void)user;
@@ -185,9 +245,6 @@ static void test_refusals(void)
   CHECK_OK(job, ahd_set_progress(job, NULL, NULL));
   CHECK_OK(job, ahd_refine(job, &wished, &report));
   CHECK(report.points > 60);
-  wished.most_points = 5;
-  CHECK_OK(job, ahd_refine(job, &wished, &report));
-  CHECK(report.points == 5 && report.bad > 0);
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_refine_write(job, NULL));
   ahd_job_free(fresh);
   ahd_job_free(job);
@@ -216,5 +273,6 @@ void test_refine(void)
 {
   test_without_a_triangle();
   test_a_run_with_them();
+  test_what_is_left();
   test_refusals();
 }
