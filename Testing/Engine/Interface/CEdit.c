@@ -138,6 +138,11 @@ static void test_refusals(void)
   CHECK_NULL(job, "first id", ahd_edit_insert(job, xy, 1, NULL));
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_edit_insert(job, xy, (uint64_t)-1, &first));
   CHECK_STATUS(job, AHD_TOO_MANY_POINTS, ahd_edit_insert(job, xy, (uint64_t)1 << 28, &first));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_edit_remove(job, &id, (uint64_t)-1, &outcome));
+  CHECK_SAYS(job, "requests do not fit in any memory");
+  CHECK(outcome == 0);
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_edit_locate(job, xy, (uint64_t)-1, &kind, place));
+  CHECK_SAYS(job, "places do not fit in any memory");
   CHECK_NULL(job, "requests", ahd_edit_remove(job, NULL, 1, &outcome));
   CHECK_NULL(job, "outcomes", ahd_edit_remove(job, &id, 1, NULL));
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_edit_move(job, &id, NULL, 1, &outcome));

@@ -289,6 +289,22 @@ static void expect_refusals(tiles* all)
   free(xy);
 }
 
+/* Counts that no memory has, as a caller's -1: nothing is read. */
+static void test_absurd_counts(void)
+{
+  const double corner[] = { 0, 0 };
+  const int64_t offsets[] = { 0, ((int64_t)1 << 48) + 1 };
+  const ahd_bytes none = { NULL, 0 };
+  ahd_job* job = ahd_job_new();
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_merge(job, 1, &none, UINT64_MAX));
+  CHECK_SAYS(job, "bytes do not fit in any memory");
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_lines(job, corner, offsets, 1, UINT64_MAX, 0));
+  CHECK_SAYS(job, "chains do not fit in any memory");
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_tiles_lines(job, corner, offsets, 1, 1, 0));
+  CHECK_SAYS(job, "corners do not fit in any memory");
+  ahd_job_free(job);
+}
+
 static void expect_plans(tiles* all)
 {
   ahd_bytes plan = kept(all->job, "tiles_plan");
@@ -439,6 +455,7 @@ void test_tiles(void)
   uint64_t numbers;
   int64_t* whole;
   ahd_job* job;
+  test_absurd_counts();
   memset(&all, 0, sizeof all);
   all.xy = ahd_scattered(kPoints);
   job = run_of(all.xy, kPoints);
