@@ -371,6 +371,24 @@ static void expect_memory_limit(tiles* all)
   CHECK_OK(all->job, ahd_tiles_merge(all->job, root, below, number));
 }
 
+/* No chains take those before away: the plan is as it was without. */
+static void expect_no_lines(tiles* all, const double* corners, const int64_t* offsets)
+{
+  ahd_bytes plans[3];
+  int k;
+  plans[0] = kept(all->job, "tiles_plan");
+  CHECK_OK(all->job, ahd_tiles_lines(all->job, corners, offsets, 1, 2, AHD_FILL_EVEN_ODD));
+  plans[1] = kept(all->job, "tiles_plan");
+  CHECK_OK(all->job, ahd_tiles_lines(all->job, NULL, NULL, 0, 0, AHD_FILL_ORIENTATION));
+  plans[2] = kept(all->job, "tiles_plan");
+  CHECK(plans[1].size > plans[0].size && plans[2].size == plans[0].size);
+  CHECK(memcmp(plans[2].data, plans[0].data, plans[0].size) == 0);
+  for (k = 0; k < 3; ++k)
+  {
+    free((void*)plans[k].data);
+  }
+}
+
 /* A line and a loop, of places of points: triangles, and the surface of each leaf. */
 static void expect_lines(tiles* all)
 {
@@ -382,6 +400,7 @@ static void expect_lines(tiles* all)
   uint64_t numbers, leaf, some, edges, part;
   int64_t *whole, ids[kPoints], count;
   ahd_job* job = run_of(all->xy, kPoints);
+  expect_no_lines(all, corners, offsets);
   CHECK_STATUS(
     all->job, AHD_BAD_ARRAY, ahd_tiles_lines(all->job, corners, bad, 1, 2, AHD_FILL_ORIENTATION));
   CHECK_STATUS(
