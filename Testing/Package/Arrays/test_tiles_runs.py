@@ -2,6 +2,7 @@
 """Runs of tiles that end early go on and give the same bytes; bad files, full disks and questions without a surface are
 told, with exit codes, and nothing is left half written."""
 
+import contextlib
 import io
 import os
 import pathlib
@@ -195,6 +196,24 @@ class ResumeTest(TilesTest):
         with unittest.mock.patch.object(tiles._run, "count", side_effect=AssertionError):  # it was
             self.assertEqual(self.command(*self.words())[0], 0)
         self.assert_is_one_piece(POINTS, self.at("a.pvtp"))
+
+    def test_a_bar_on_a_terminal(self):
+        """Of each step the beginning and the end, else no more often than can be read; gone at the end."""
+        said = io.StringIO()
+        with contextlib.redirect_stderr(said):
+            _command.Bar()("visit", 0.0, None)
+            self.assertEqual(said.getvalue(), "")  # no terminal
+            said.isatty = lambda: True
+            bar = _command.Bar()
+            for now, fraction, left in ((9.0, 0.0, None), (9.1, 0.2, 80), (9.3, 0.5, 40), (9.4, 0.7, 20), (9.41, 1.0, 0)):
+                with unittest.mock.patch.object(_command.time, "monotonic", return_value=now):
+                    bar("visit", fraction, left)
+            bar.end()
+        lines = said.getvalue().split("\r\033[K")
+        self.assertEqual([(line[:8], line.count("#"), line[40:45]) for line in lines[1:-1]], [
+            ("visit   ", 0, "  0 %"), ("visit   ", 15, " 50 %"), ("visit   ", 30, "100 %")])
+        self.assertEqual((lines[0], lines[-1]), ("", ""))
+        self.assertRegex(lines[2], r" 40 s left$")
 
     def test_progress(self):
         told = []
