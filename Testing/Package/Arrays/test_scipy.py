@@ -11,7 +11,7 @@ import numpy as np
 import adaptivehilbertdelaunay.scipy as ours
 from adaptivehilbertdelaunay import delaunay
 from adaptivehilbertdelaunay.scipy import (
-    CloughTocher2DInterpolator, Delaunay, LinearNDInterpolator, NearestNDInterpolator, griddata,
+    CloughTocher2DInterpolator, Delaunay, LinearNDInterpolator, NearestNDInterpolator, griddata, tsearch,
 )  # fmt: skip
 from arraysupport import KeywordTest, cloud, lattice
 
@@ -80,6 +80,7 @@ class DelaunayTest(ScipyTest):
         self.assertEqual(made.find_simplex(np.zeros((2, 3, 2))).dtype, np.int32)
         places = np.array([[-0.1, 2.5], [2.5, 4.1], [-0.1, -0.1], [5, 9], [np.nan, 1], [np.inf, 1], [3, 4]])
         self.assertEqual((made.find_simplex(places) >= 0).tolist(), [False] * 6 + [True])
+        np.testing.assert_array_equal(tsearch(made, places), made.find_simplex(places))
         near = made.find_simplex(places, tol=0.2)
         self.assertEqual((near >= 0).tolist(), [True, True, True, False, False, False, True])
         for place, row in zip(np.clip(places[:3], 0, 4), near):
