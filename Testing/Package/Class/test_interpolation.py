@@ -455,7 +455,7 @@ class InterpolationTest(Case):
         algorithm.Update()
         self.assertGreater(len(told), 5)
         self.assertEqual(told, sorted(told))
-        self.assertLessEqual(told[-1], 1.0)
+        self.assertLessEqual((told[-1], told.count(1.0)), (1.0, 2))  # the filter's and VTK's, at the end
 
     def test_the_name_of_the_class(self):
         algorithm = Interpolation()
