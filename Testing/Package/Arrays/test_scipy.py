@@ -308,6 +308,18 @@ class CalledTest(ScipyTest):
             found = griddata(points * wide + 5, points[:, 0], tuple((places * wide + 5).T), method, rescale=True)
             np.testing.assert_allclose(found, wanted, rtol=1e-6)
 
+    def test_rescaled_on_request_only(self):
+        points, places = cloud(1, 40) * [1000, 1], cloud(2, 30) * [600, 0.6] + [200, 0.2]
+        values = points[:, 0] * points[:, 1]
+        for kind in (LinearNDInterpolator, CloughTocher2DInterpolator, NearestNDInterpolator):
+            found, plain, rescaled = (kind(points, values, **how)(places) for how in (
+                {}, {"rescale": False}, {"rescale": True}))  # fmt: skip
+            np.testing.assert_array_equal(found, plain)
+            self.assertFalse(np.array_equal(found, rescaled))
+        for method in ("linear", "nearest", "cubic"):
+            found, plain = (griddata(points, values, places, method, **how) for how in ({}, {"rescale": False}))
+            np.testing.assert_array_equal(found, plain)
+
     def test_places_outside_are_no_news(self):
         """scipy has no warning, and such a one would be an error here."""
         for method in ("linear", "cubic"):
