@@ -11,6 +11,7 @@ from classtests import Case, Filter, Said, Source, cloud, core, run_tests, teste
 import literals  # (classtests has put its folder on the path)
 
 Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
+Mesh = tested_class("vtkAdaptiveHilbertQualityMesh2D")
 IN_PYTHON = hasattr(Filter, "_backend")
 
 
@@ -18,19 +19,22 @@ IN_PYTHON = hasattr(Filter, "_backend")
 class ErrorsTest(Case):
     def test_ranks(self):
         """One reports it, once."""
-        for rank, warned in ((0, 1), (1, 0)):
-            ranks = unittest.mock.Mock()
-            ranks.GetNumberOfProcesses.return_value, ranks.GetLocalProcessId.return_value = 3, rank
-            with unittest.mock.patch.object(Filter._backend, "controller", lambda ranks=ranks: ranks):
-                algorithm = Filter()
-                said = Said(algorithm)
-                algorithm.SetInputDataObject(cloud([(0, 0, 0), (1, 0, 0), (0, 1, 0)]))
-                for _ in range(2):
-                    algorithm.Modified()
-                    algorithm.Update()
-            self.assertEqual(said.warnings, warned * [
-                "There are 3 ranks, and each triangulates its own points only: the surfaces of the ranks do not join. "
-                "DistributePoints has an effect in the compiled class only."])
+        for kind, words in (
+                (Filter, "There are 3 ranks, and each triangulates its own points only: the surfaces of the ranks do "
+                         "not join. DistributePoints has an effect in the compiled class only."),
+                (Mesh, "There are 3 ranks, and each refines its own points only: the meshes of the ranks do not join."),
+        ):  # fmt: skip
+            for rank, warned in ((0, 1), (1, 0)):
+                ranks = unittest.mock.Mock()
+                ranks.GetNumberOfProcesses.return_value, ranks.GetLocalProcessId.return_value = 3, rank
+                with unittest.mock.patch.object(kind._backend, "controller", lambda ranks=ranks: ranks):
+                    algorithm = kind()
+                    said = Said(algorithm)
+                    algorithm.SetInputDataObject(cloud([(0, 0, 0), (1, 0, 0), (0, 1, 0)]))
+                    for _ in range(2):
+                        algorithm.Modified()
+                        algorithm.Update()
+                self.assertEqual(said.warnings, warned * [words])
 
 
 @unittest.skipUnless(IN_PYTHON, "the compiled class is tested in C++")
