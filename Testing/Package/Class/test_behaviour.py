@@ -163,6 +163,17 @@ class PipelineTest(Case):
             if length >= 50:
                 self.assertEqual(values_of(data.GetArray("depth")), sites)
 
+    def test_ids_of_the_diagram_replace_an_array_of_the_points(self):
+        """With its place among the others, and its use."""
+        given = cloud(scattered(50))
+        for name in ("OriginalPointIds", "depth"):
+            given.GetPointData().AddArray(array("vtkFloatArray", name, range(50)))
+        given.GetPointData().SetActiveScalars("OriginalPointIds")
+        data = run(given, GenerateVoronoi=True)[0].GetOutput(2).GetCellData()
+        self.assertEqual([data.GetArrayName(k) for k in range(data.GetNumberOfArrays())], ["depth", "OriginalPointIds"])
+        self.assertEqual(data.GetArray("OriginalPointIds").GetClassName(), "vtkIdTypeArray")
+        self.assertIsNone(data.GetScalars())
+
     def test_field_data_of_the_input(self):
         """Are those of each output, whether it is made or not."""
         given = cloud(scattered(30))
