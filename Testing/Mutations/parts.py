@@ -22,6 +22,7 @@ ALL_FOLDERS = (*workshop.FOLDERS, "Plugin", "Testing")
 ALL_FILES = (*workshop.FILES, "paraview.plugin", "pyproject.toml", "README.md")
 PYTHON = "Filters/Python"
 BUILT_INTO = "_compiled.py"  # CMake writes into it
+WITH_LAS = "Arrays/with_las.py --here"
 MOST_TRACED = 100  # seconds of a test whose lines are told: some wait for lines that are slow then
 
 
@@ -79,7 +80,7 @@ def part_for(folder, work, jobs, python, package):
 class PythonPart(workshop.Workshop):
     """The Python package: a copy of a built one, with the modules of the sources, and its tests without a build.
 
-    `python` has the VTK and PyVista of PyPI, or the tests that need them are left out.
+    `python` has the VTK, the PyVista and the laspy of PyPI, or the tests that need them are left out.
     """
 
     def __init__(self, folder, jobs, python, package):
@@ -94,8 +95,8 @@ class PythonPart(workshop.Workshop):
         self.environment = pairs.suite_environment([str(self.folder / "package")])
         own = [f"{folder}/{path.name}" for folder in ("Arrays", "Class")
                for path in sorted((self.tests_folder / folder).glob("test_*.py"))]  # fmt: skip
-        others = [script for script in pairs.FOR_ALL + pairs.FOR_VTK if script not in own]
-        self.names = [script for script in own + others if script.startswith("Arrays/") or self.can_run(script)]
+        others = [script for script in (WITH_LAS, *pairs.FOR_ALL, *pairs.FOR_VTK) if script not in own]
+        self.names = [script for script in own + others if self.can_run(script)]
 
     def fill_package(self, package):
         shutil.rmtree(self.folder / "package", ignore_errors=True)
@@ -111,14 +112,18 @@ class PythonPart(workshop.Workshop):
         shutil.copyfile(pathlib.Path(__file__).with_name("tell_lines.py"), self.folder / "package" / "sitecustomize.py")
 
     def can_run(self, script):
-        needed = "pyvista" if "pyvista" in script.lower() else "vtkmodules"
+        if script.startswith("Arrays/"):
+            needed = "laspy, lazrs, rasterio" if script == WITH_LAS else "numpy"
+        else:
+            needed = "pyvista" if "pyvista" in script.lower() else "vtkmodules"
         return subprocess.run([self.python, "-c", "import " + needed], capture_output=True).returncode == 0
 
     def path(self, file):
         return self.place / pathlib.PurePosixPath(file).relative_to(PYTHON)
 
     def run(self, test, limit, **environment):
-        command = [self.python, str(self.tests_folder / test)]
+        script, *words = test.split()
+        command = [self.python, str(self.tests_folder / script), *words]
         return workshop.execute(command, self.folder, limit, {**self.environment, **environment})
 
     def measure(self, test, limit):
