@@ -289,6 +289,36 @@ TEST(InterpolationSurface, InThePlaneOfAllPoints)
   EXPECT_TRUE(areSame(numbersOf(one, "Elevation"), numbersOf(two, "Elevation"), 1e-12));
 }
 
+/// The memory that a refusal states is enough, and that of the triangles: one KiB less is refused
+/// before they are looked at.
+TEST(InterpolationSurface, TheMemoryThatARefusalStatesIsEnough)
+{
+  vtkNew<Delaunay> delaunay;
+  delaunay->SetReuseLimit(0); // so that its own triangulation is gone
+  delaunay->SetInputData(hills(20000));
+  for (const double longest : { 0.0, 0.008 }) // all triangles, and some
+  {
+    delaunay->SetMaximumEdgeLength(longest);
+    delaunay->Update();
+    WatchedInterpolation filter;
+    filter->SetDimensions(10, 10);
+    filter->SetInputData(delaunay->GetOutput());
+    filter->GetTriangulation()->SetMemoryLimit(1);
+    filter->Update();
+    const vtkTypeInt64 stated = filter->GetMemoryEstimate();
+    filter->GetTriangulation()->SetMemoryLimit(stated - 1);
+    filter->Update();
+    EXPECT_EQ(filter->GetMemoryEstimate(), stated);
+    EXPECT_EQ(filter->GetNumberOfTriangulations(), 0);
+    EXPECT_EQ(filter.Said->Errors.size(), 2u);
+    filter->GetTriangulation()->SetMemoryLimit(stated);
+    filter->Update();
+    EXPECT_EQ(filter->GetMemoryEstimate(), stated);
+    EXPECT_EQ(filter->GetNumberOfPlaces(), 100);
+    EXPECT_EQ(filter.Said->Errors.size(), 2u);
+  }
+}
+
 /// Edges that become constraints, and their memory, are known when the triangles are looked up.
 TEST(InterpolationSurface, MemoryOfConstraintsIsLimited)
 {
