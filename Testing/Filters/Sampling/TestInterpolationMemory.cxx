@@ -188,6 +188,36 @@ TEST(InterpolationMemory, OnlyTheTriangulationIsKept)
   EXPECT_EQ(countWith(least + 480), 1); // 20000 points of three numbers
 }
 
+/// Without a kept triangulation nothing of the input is held.
+TEST(InterpolationMemory, NothingIsHeldThatIsNotKept)
+{
+  using Setting = std::function<void(vtkAdaptiveHilbertDelaunay2D*)>;
+  const Setting off = [](auto* f) { f->KeepTriangulationOff(); };
+  const Setting small = [](auto* f) { f->SetReuseLimit(10); };
+  for (const Setting& set : { off, small })
+  {
+    WatchedInterpolation filter;
+    set(filter->GetTriangulation());
+    vtkSmartPointer<vtkPolyData> points = cloud(), source = makeSource({ { 0, 1, 2 } }, {});
+    addArray<vtkUnsignedCharArray>(
+      points, vtkDataSetAttributes::GhostArrayName(), [](vtkIdType) { return 0.0; });
+    const vtkWeakPointer<vtkDataArray> arrays[] = { points->GetPoints()->GetData(),
+      points->GetPointGhostArray(), source->GetLines()->GetConnectivityArray() };
+    filter->SetInputData(points);
+    filter->SetSourceData(source);
+    filter->SetMethodToNearest();
+    filter->Update();
+    EXPECT_GT(filter->GetNumberOfValidPlaces(), 0);
+    filter->SetInputDataObject(0, nullptr);
+    filter->SetInputDataObject(2, nullptr);
+    points = source = nullptr;
+    for (const auto& array : arrays)
+    {
+      EXPECT_EQ(array, nullptr);
+    }
+  }
+}
+
 /// Neither are settings of others that were changed before the transform that both have.
 TEST(InterpolationMemory, OtherSettingsWithTheSameTransformAreSeen)
 {
