@@ -183,7 +183,7 @@ TEST(Progress, AbortAnywhereLeavesAnEmptyOutputAndAReusableFilter)
   reference->Update();
   const std::vector<Triangle> expected = trianglesOf(reference->GetOutput());
 
-  for (double at : { 0.01, 0.1, 0.3, 0.6, 0.85, 0.95 })
+  for (double at : { 0.01, 0.1, 0.3, 0.6, 0.85, 0.95, 1.0 })
   {
     WatchedFilter filter;
     filter->SetInputData(cloud);

@@ -177,6 +177,27 @@ TEST(InterpolationPipeline, AbortedAtEachStage)
   }
 }
 
+/// Nor at the last report, when all places have their values.
+TEST(InterpolationPipeline, AbortedBehindTheLastPlace)
+{
+  for (const int method : { 0, 1, 2, 3 })
+  {
+    WatchedInterpolation filter;
+    vtkNew<ProgressWatch> watch;
+    filter->SetInputData(cloud(200));
+    filter->SetMethod(method);
+    filter->SetDimensions(120, 140);
+    filter->AddObserver(vtkCommand::ProgressEvent, watch);
+    watch->AbortAt = 1.0;
+    filter->Update();
+    EXPECT_EQ(watch->SeenAfterAbort, 1); // the pipeline's own
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_EQ(filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
+    EXPECT_EQ(filter->GetNumberOfPlaces(), 0);
+    EXPECT_TRUE(filter.Said->Errors.empty());
+  }
+}
+
 TEST(InterpolationPipeline, SameBytesWithTwoThreadsAndForShuffledPoints)
 {
   std::vector<Xyz> points = scatteredPoints(40000, 23);
