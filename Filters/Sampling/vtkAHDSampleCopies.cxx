@@ -207,20 +207,17 @@ const double* vtkAHDReadNumbers(
   {
     return doubles->GetPointer(0);
   }
-  const std::size_t tuples = static_cast<std::size_t>(array->GetNumberOfTuples());
   const std::size_t count = static_cast<std::size_t>(array->GetNumberOfValues());
   copy.resize(count);
   if (!LiesInMemory(array))
   {
-    ReadOneByOne(array, tuples, copy.data(), context);
+    ReadOneByOne(array, static_cast<std::size_t>(array->GetNumberOfTuples()), copy.data(), context);
     return copy.data();
   }
   switch (array->GetDataType())
   {
     vtkTemplateMacro(
       ReadAs(static_cast<const VTK_TT*>(array->GetVoidPointer(0)), count, copy.data(), context));
-    default:
-      ReadOneByOne(array, tuples, copy.data(), context);
   }
   return copy.data();
 }

@@ -12,8 +12,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
+
+#if __has_include("vtkAngularPeriodicDataArray.h")
+#include "vtkAngularPeriodicDataArray.h"
+#endif
 
 namespace
 {
@@ -64,6 +69,48 @@ TEST(InterpolationArrays, NearestOfOtherLayouts)
   EXPECT_EQ(found->GetValue(2), 0);
   EXPECT_EQ(double(found->GetValue(4) - (1LL << 60)), arrayOf(output, "apart")->GetComponent(4, 0));
 }
+
+#if __has_include("vtkAngularPeriodicDataArray.h")
+/// Arrays that VTK computes, as those of a periodic filter, are as their copies in memory.
+TEST(InterpolationArrays, ThatAreComputed)
+{
+  auto cloud = makeCloud(onPlane(scatteredPoints(200, 2)));
+  vtkNew<vtkFloatArray> given, copy;
+  given->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < 200; ++i)
+  {
+    given->InsertNextTuple3(double(i), 0.5 * double(i % 7), i % 3 == 0 ? kNaN : 1.0);
+  }
+  vtkNew<vtkAngularPeriodicDataArray<float>> turned;
+  turned->SetAxis(VTK_PERIODIC_ARRAY_AXIS_Z);
+  turned->SetAngle(30.0);
+  turned->InitializeArray(given);
+  turned->SetName("turned");
+  ASSERT_FALSE(turned->HasStandardMemoryLayout());
+  copy->SetName("copy");
+  copy->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < 200; ++i)
+  {
+    copy->InsertNextTuple(turned->GetTuple(i));
+  }
+  cloud->GetPointData()->AddArray(copy);
+  cloud->GetPointData()->AddArray(turned);
+  WatchedInterpolation filter;
+  filter->SetInputData(cloud);
+  filter->SetPlacesData(makeCloud(scatteredPoints(50, 3)));
+  filter->SetNoValue(-7.0);
+  for (const int method : { 0, 1, 2, 3 })
+  {
+    filter->SetMethod(method);
+    filter->Update();
+    const auto found = numbersOf(filter->GetOutput(), "turned");
+    EXPECT_EQ(found, numbersOf(filter->GetOutput(), "copy")) << method;
+    ASSERT_EQ(found.size(), 150u);
+    EXPECT_GT(std::count(found.begin(), found.end(), -7.0), 0);
+    EXPECT_EQ(arrayOf(filter->GetOutput(), "turned")->GetDataType(), VTK_FLOAT);
+  }
+}
+#endif
 
 /// Bits are those of the nearest point, and 0 where there is none.
 TEST(InterpolationArrays, NearestOfBits)
