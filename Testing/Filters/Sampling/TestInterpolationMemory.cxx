@@ -342,6 +342,7 @@ TEST(InterpolationMemory, EachArrayIsEstimatedByItsBytes)
   vtkNew<vtkDoubleArray> doubles;
   vtkNew<vtkFloatArray> floats;
   vtkNew<vtkIntArray> ints;
+  vtkNew<vtkUnsignedCharArray> bytes;
   const auto expectMore = [&](const Add& add, double perPoint, double perPlace)
   {
     const double more = estimateOf(add) - estimateOf([](vtkPolyData*) {});
@@ -367,6 +368,7 @@ TEST(InterpolationMemory, EachArrayIsEstimatedByItsBytes)
   expectMore(make(doubles.Get(), 2), 0, 16);
   expectMore(make(floats.Get(), 3), 0, 12);
   expectMore(make(ints.Get(), 1), 0, 4);
+  expectMore(make(bytes.Get(), 3), 0, 3);
   const double nearest = estimateOf([](vtkPolyData*) {});
   filter->SetMethod(0);
   const double plain = estimateOf([](vtkPolyData*) {});
