@@ -6,8 +6,10 @@
 #include "ProgressWatch.h"
 
 #include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
+#include "vtkIntArray.h"
 
 #include <gtest/gtest.h>
 
@@ -62,6 +64,45 @@ TEST(InterpolationPipeline, FiltersForImagesBehindAreToldTheRaster)
   const int before = behind->Executed;
   behind->Update();
   EXPECT_EQ(behind->Executed, before);
+}
+
+/// Type and components of the scalars, which are those of the points or heights.
+TEST(InterpolationPipeline, FiltersBehindKnowTheScalars)
+{
+  auto points = cloud();
+  vtkNew<vtkFloatArray> floats;
+  vtkNew<vtkIntArray> ints;
+  vtkDataArray* const arrays[] = { floats, ints };
+  for (vtkDataArray* array : arrays)
+  {
+    array->SetName(array->GetClassName());
+    array->SetNumberOfComponents(3);
+    array->SetNumberOfTuples(points->GetNumberOfPoints());
+    array->Fill(1.0);
+    points->GetPointData()->AddArray(array);
+  }
+  WatchedInterpolation filter;
+  filter->SetInputData(points);
+  for (const char* name : { "", "vtkFloatArray", "vtkIntArray" })
+  {
+    for (const int method : { Filter::LINEAR, Filter::NEAREST })
+    {
+      points->GetPointData()->SetActiveScalars(name);
+      filter->SetMethod(method);
+      filter->UpdateInformation();
+      vtkInformation* const announced = vtkDataObject::GetActiveFieldInformation(
+        filter->GetOutputInformation(0), vtkDataObject::FIELD_ASSOCIATION_POINTS,
+        vtkDataSetAttributes::SCALARS);
+      ASSERT_NE(announced, nullptr);
+      filter->Update();
+      vtkDataArray* const made = filter->GetOutput()->GetPointData()->GetScalars();
+      ASSERT_NE(made, nullptr);
+      EXPECT_EQ(announced->Get(vtkDataObject::FIELD_ARRAY_TYPE()), made->GetDataType());
+      EXPECT_EQ(
+        announced->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()), made->GetNumberOfComponents());
+      EXPECT_EQ(made->GetNumberOfComponents(), *name ? 3 : 1);
+    }
+  }
 }
 
 /// An impossible raster is not announced either.
