@@ -146,7 +146,7 @@ vtkAHDRaster vtkAHDMakeRaster(
   }
   if (!(area.xmin <= area.xmax && area.ymin <= area.ymax))
   {
-    return raster;
+    return {}; // no area
   }
   Axis x, y;
   if (wish.ByCellSize || isChosen)
