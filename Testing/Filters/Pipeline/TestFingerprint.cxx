@@ -91,6 +91,26 @@ TEST(Fingerprint, TellsApartPlacesTypesAndShapes)
   EXPECT_NE(fingerprintOf(nullptr), fingerprintOf(vtkNew<vtkDoubleArray>()));
 }
 
+/// The same bytes are another array if its type or its components are others.
+TEST(Fingerprint, TellsApartTheSameBytesOfOtherShapes)
+{
+  std::set<ahd::Fingerprint> seen;
+  std::size_t count = 0;
+  for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_INT,
+         VTK_FLOAT, VTK_DOUBLE, VTK_LONG_LONG, VTK_ID_TYPE })
+  {
+    auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+    for (int components = 1; components <= 20; ++components)
+    {
+      array->SetNumberOfComponents(components);
+      array->SetNumberOfValues(0);
+      seen.insert(fingerprintOf(array));
+      ++count;
+    }
+  }
+  EXPECT_EQ(seen.size(), count);
+}
+
 TEST(Fingerprint, TellsApartPairsOfBits)
 {
   // one changed word must not undo another
