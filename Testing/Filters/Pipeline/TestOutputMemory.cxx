@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <numeric>
 #include <thread>
+#include <utility>
 #include <vector>
 
 using namespace ahdtest;
@@ -309,6 +310,37 @@ TEST(WorkingMemory, IsKeptWhereNothingIsLent)
     EXPECT_EQ(lent != nullptr, !writes);
     EXPECT_EQ(workspace.bytes() > 0, writes);
   }
+}
+
+/// What is lent has its part of the limit: of the outputs only the rest is kept.
+TEST(WorkingMemory, WithWhatIsLentNoMoreIsKeptThanTheLimit)
+{
+  auto cloud = makeCloud(latticePoints(20000, 1000000));
+  const auto run = [&cloud](vtkTypeInt64 limit)
+  {
+    const Work work(1);
+    vtkAHDSettings settings;
+    settings.ReuseLimit = limit;
+    vtkAHDInput input(settings, cloud, nullptr);
+    ahd::Workspace workspace;
+    vtkAHDExecution::LentPointer lent;
+    vtkAHDReport report;
+    {
+      vtkNew<vtkPolyData> surface, order, diagram;
+      report = vtkAHDExecution(settings, input, workspace, work.Context, 0)
+                 .Run({ surface, order, diagram }, &lent);
+    }
+    EXPECT_EQ(report.status, ahd::Status::Ok);
+    EXPECT_NE(lent, nullptr);
+    EXPECT_EQ(workspace.bytes(), 0u);
+    return std::pair<std::size_t, std::size_t>(report.keptEstimate, work.Memory.GetBytes());
+  };
+  const auto [lent, outputs] = run(VTK_INT_MAX);
+  EXPECT_GT(outputs, std::size_t(20000 * 2 * 3 * 4));
+  const std::size_t limit = (lent + outputs / 2) / 1024;
+  const std::size_t kept = run(static_cast<vtkTypeInt64>(limit)).second;
+  EXPECT_GT(kept, 0u);
+  EXPECT_LE(kept + lent, 1024 * limit);
 }
 
 /// Points, offsets and corners of a Voronoi diagram lie where those of the last one did.
