@@ -12,6 +12,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet,
     vtkMultiBlockDataSet,
+    vtkMultiPieceDataSet,
     vtkPartitionedDataSet,
     vtkPartitionedDataSetCollection,
     vtkTable,
@@ -37,17 +38,26 @@ class OfBlock:
         return lambda: int(array.GetValue(0)) if array else 0
 
 
+def children_of(data):
+    if isinstance(data, vtkMultiBlockDataSet):
+        return [data.GetBlock(k) for k in range(data.GetNumberOfBlocks())]
+    if isinstance(data, vtkPartitionedDataSetCollection):
+        return [data.GetPartitionedDataSet(k) for k in range(data.GetNumberOfPartitionedDataSets())]
+    return [data.GetPartitionAsDataObject(k) for k in range(data.GetNumberOfPartitions())]
+
+
 def leaves(data):
     """Of a composite data set, with null for those that are missing, in order."""
     if not isinstance(data, vtkCompositeDataSet):
         return [data]
-    if isinstance(data, vtkMultiBlockDataSet):
-        children = [data.GetBlock(k) for k in range(data.GetNumberOfBlocks())]
-    elif isinstance(data, vtkPartitionedDataSetCollection):
-        children = [data.GetPartitionedDataSet(k) for k in range(data.GetNumberOfPartitionedDataSets())]
-    else:
-        children = [data.GetPartitionAsDataObject(k) for k in range(data.GetNumberOfPartitions())]
-    return [leaf for child in children for leaf in leaves(child)]
+    return [leaf for child in children_of(data) for leaf in leaves(child)]
+
+
+def classes(data):
+    """Of all nodes and leaves."""
+    if not isinstance(data, vtkCompositeDataSet):
+        return data and data.GetClassName()
+    return data.GetClassName(), [classes(child) for child in children_of(data)]
 
 
 def structure(data):
@@ -82,6 +92,22 @@ def make_collection(partitions):
     for k, piece in enumerate(partitions):
         parts.SetPartition(k, make_input(piece))
     data.SetPartitionedDataSet(0, parts)
+    return data
+
+
+def make_nodes(made):
+    """Of (class of the node, children), a piece, or None for a missing one."""
+    if not isinstance(made, tuple):
+        return made and make_input(made)
+    kind, children = made
+    data = kind()
+    setters = {vtkMultiBlockDataSet: ("NumberOfBlocks", "Block"),
+               vtkPartitionedDataSetCollection: ("NumberOfPartitionedDataSets", "PartitionedDataSet")}
+    count, child = setters.get(kind, ("NumberOfPartitions", "Partition"))
+    getattr(data, "Set" + count)(len(children))
+    for k, one in enumerate(children):
+        if one is not None:
+            getattr(data, "Set" + child)(k, make_nodes(one))
     return data
 
 
@@ -179,6 +205,32 @@ def try_fewer():
     compare_block(found, 0, first[:-1] + [Piece([])], STATUS)
 
 
+def try_kinds(make, lacking):
+    """The last rank has `lacking`, the others blocks of each kind, the last of which no rank has: all put out the
+    nodes of these, whatever their own input has."""
+    first, _, third = three()
+    first, third = first[:-1] + [Piece([])], third[:-1] + [Piece([])]
+    own = make(first[RANK], third[RANK])
+
+    def work():
+        given = lacking and lacking() if RANK == RANKS - 1 else make_nodes(own)
+        algorithm = make_filter(given, STATUS, True)
+        said = Said(algorithm)
+        algorithm.Update()
+        out = algorithm.GetOutputDataObject(0)
+        return {"classes": classes(out), "blocks": [leaf and read(OfBlock(leaf), said) for leaf in leaves(out)]}
+
+    found = on_all_ranks("kinds", work)
+    if RANK:
+        return
+    expected = classes(make_nodes(own))
+    for rank, part in enumerate(found):
+        check(part["classes"] == expected, "rank %d: %r, not %r" % (rank, part["classes"], expected))
+        there = [k for k, block in enumerate(part["blocks"]) if block]
+    for k, made in zip(there, (first, third), strict=True):
+        compare_block(found, k, made, STATUS)
+
+
 def try_source():
     """The same source is for each block."""
     first, second, _ = three()
@@ -241,12 +293,23 @@ def try_nothing():
 
 last = RANK == RANKS - 1
 some = pieces(uniform(50), 4)
+multi, parts, collection, in_pieces = (
+    vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection, vtkMultiPieceDataSet)
+ways = {
+    "multi-block": (lambda a, b: (multi, [a, b, None]), multi),
+    "pieces": (lambda a, b: (in_pieces, [a, b, None]), in_pieces),
+    "pieces of blocks": (lambda a, b: (multi, [(in_pieces, [a, None]), (multi, [(in_pieces, [b])]), None]), multi),
+    "partitions": (lambda a, b: (parts, [a, b, None]), parts),
+    "collection": (lambda a, b: (collection, [(parts, [a, None]), (parts, [b]), (parts, [])]), collection),
+}
 tries = {
     "multi-block": (try_multi, STATUS),
     "multi-block, one rank does it all": (try_gathered,),
     "partitions": (try_partitions, None),
     "partitions and a table": (try_partitions, vtkTable()),
     "fewer": (try_fewer,),
+    **{"kinds: %s%s" % (name, ", no input on one" if lacking is None else ""): (try_kinds, make, lacking)
+       for name, (make, empty) in ways.items() for lacking in (empty, None)},
     "source": (try_source,),
     "different counts": (try_different, make_multi(some[:3] if last else some[:2]), RANKS - 1),
     "different depths": (try_different, make_multi([[some[0]]] if last else [some[0]]), RANKS - 1),
