@@ -189,8 +189,8 @@ class RemovalTest(TilesTest):
 
 class PlanTest(unittest.TestCase):
     def test_what_was_measured(self):
-        """In Filters/Python/Tiles.md: 10^8 points, one for each cell, and a TIN, about. That time has the counting, which
-        comes before a plan; a pass over .npy takes 10 ns a point."""
+        """In Filters/Python/Tiles.md: 10^8 points, one for each cell, and a TIN, about. That time has the
+        counting, which comes before a plan; a pass over .npy takes 10 ns a point."""
         count, leaves = 10**8, 1024
         counted = _points.Counted(count, 0, 0, (0, 1e4, 0, 1e4), 2, [])
         for cells, threads, seconds, memory, disk in (

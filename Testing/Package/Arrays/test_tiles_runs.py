@@ -205,7 +205,8 @@ class ResumeTest(TilesTest):
             self.assertEqual(said.getvalue(), "")  # no terminal
             said.isatty = lambda: True
             bar = _command.Bar()
-            for now, fraction, left in ((9.0, 0.0, None), (9.1, 0.2, 80), (9.3, 0.5, 40), (9.4, 0.7, 20), (9.41, 1.0, 0)):
+            for now, fraction, left in (
+                    (9.0, 0.0, None), (9.1, 0.2, 80), (9.3, 0.5, 40), (9.4, 0.7, 20), (9.41, 1.0, 0)):  # fmt: skip
                 with unittest.mock.patch.object(_command.time, "monotonic", return_value=now):
                     bar("visit", fraction, left)
             bar.end()
