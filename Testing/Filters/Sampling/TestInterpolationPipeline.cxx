@@ -231,7 +231,7 @@ TEST(InterpolationPipeline, AbortedBehindTheLastPlace)
     filter->AddObserver(vtkCommand::ProgressEvent, watch);
     watch->AbortAt = 1.0;
     filter->Update();
-    EXPECT_EQ(watch->SeenAfterAbort, 1); // the pipeline's own
+    EXPECT_LE(watch->SeenAfterAbort, 1); // that of newer pipelines
     EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
     EXPECT_EQ(filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
     EXPECT_EQ(filter->GetNumberOfPlaces(), 0);
