@@ -7,7 +7,6 @@
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkSOADataArrayTemplate.h"
 #include "vtkWeakPointer.h"
 
 #include <gtest/gtest.h>
@@ -292,32 +291,6 @@ TEST(KeptStale, ASingleExecutionKeepsNothing)
   Line line;
   EXPECT_TRUE(line.Runs(makeCloud(scatteredPoints(100))));
   corners = line.Surface()->GetPolys()->GetConnectivityArray();
-  line.Surface()->Initialize();
-  EXPECT_EQ(corners, nullptr);
-}
-
-/// A source that cannot be known again: what was made with it is of no use later.
-TEST(KeptStale, WhatCannotBeKnownAgainIsNotHeld)
-{
-  vtkNew<vtkSOADataArrayTemplate<double>> apart;
-  apart->SetNumberOfComponents(3);
-  apart->InsertNextTuple3(0.2, 0.2, 0.0);
-  apart->InsertNextTuple3(0.8, 0.7, 0.0);
-  vtkNew<vtkPoints> ends;
-  ends->SetData(apart);
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell({ vtkIdType(0), vtkIdType(1) });
-  vtkNew<vtkPolyData> source;
-  source->SetPoints(ends);
-  source->SetLines(lines);
-  Line line;
-  line.Filter->SetSourceData(source);
-  line.Filter->SetReuseLimit(0);
-  line.Filter->SetSourceModeToCoordinates();
-  const auto cloud = makeCloud(scatteredPoints(100));
-  EXPECT_TRUE(line.RunsTwice(cloud));
-  EXPECT_TRUE(line.Runs(cloud));
-  const vtkWeakPointer<vtkDataArray> corners = line.Surface()->GetPolys()->GetConnectivityArray();
   line.Surface()->Initialize();
   EXPECT_EQ(corners, nullptr);
 }
