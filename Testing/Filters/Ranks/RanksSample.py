@@ -455,20 +455,21 @@ def try_places_of_an_image():
 
 
 check(RANKS > 1, "to be run on several ranks")
-for k, (case, (given, chosen, *_)) in enumerate(dict(cases(RANKS), **gathered_cases(RANKS)).items()):
-    if WANTED in case:
-        attempt(case, try_case, k + RANKS, given, chosen)
-check(RANK or WANTED or sum(valued) > 30000, "too few values are compared: %d" % sum(valued))
-check(RANK or WANTED or any(" of Float" in words for words in lacking), "no array lacks values: %r" % lacking)
-for case, (what, said_then) in failures_together().items():
-    if WANTED in case:
-        attempt(case, try_failure, what, said_then)
-for case, (what, *given) in {
-    "again": (try_again, {}), "again by cell size": (try_again, {"RasterSize": 1, "CellSize": (0.07, 0.05)}),
-    "image": (try_places_of_an_image,), "other inputs": (try_other_inputs,), "time": (try_time,),
-    "images behind": (try_images_behind,), "surface": (try_surface,), "whole": (try_whole,),
-    "without effect": (try_without_effect,), "chosen cells": (try_chosen_cells,),
-}.items():
-    if WANTED in case:
-        attempt(case, what, *given)
-finish()
+if __name__ == "__main__":
+    for k, (case, (given, chosen, *_)) in enumerate(dict(cases(RANKS), **gathered_cases(RANKS)).items()):
+        if WANTED in case:
+            attempt(case, try_case, k + RANKS, given, chosen)
+    check(RANK or WANTED or sum(valued) > 30000, "too few values are compared: %d" % sum(valued))
+    check(RANK or WANTED or any(" of Float" in words for words in lacking), "no array lacks values: %r" % lacking)
+    for case, (what, said_then) in failures_together().items():
+        if WANTED in case:
+            attempt(case, try_failure, what, said_then)
+    for case, (what, *given) in {
+        "again": (try_again, {}), "again by cell size": (try_again, {"RasterSize": 1, "CellSize": (0.07, 0.05)}),
+        "image": (try_places_of_an_image,), "other inputs": (try_other_inputs,), "time": (try_time,),
+        "images behind": (try_images_behind,), "surface": (try_surface,), "whole": (try_whole,),
+        "without effect": (try_without_effect,), "chosen cells": (try_chosen_cells,),
+    }.items():
+        if WANTED in case:
+            attempt(case, what, *given)
+    finish()

@@ -247,7 +247,8 @@ def partial(points, ranks):
     made = pieces(points, ranks)
     del made[0].arrays["Float"]
     made[-1].arrays["Long"] = ("float", [float(i) for i in range(len(made[-1].points))])
-    made[-1].arrays["Extra"] = ("byte", [1] * len(made[-1].points))
+    made[-1].arrays["Extra"] = made[-1].arrays[None] = ("byte", [1] * len(made[-1].points))
+    made[-1].arrays["Short"] = ("byte", [1])
     return made
 
 
