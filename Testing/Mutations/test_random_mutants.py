@@ -420,7 +420,7 @@ class WaitTest(unittest.TestCase):
             workshop.wait(self.start("import time; time.sleep(60)"), 1.5)
 
     def test_what_waits_for_a_processor_is_not(self):
-        """Two threads of one processor: one of both always waits."""
+        """Two processes of one processor: one of both always waits."""
         one = f"import os; os.sched_setaffinity(0, [{min(os.sched_getaffinity(0))}])\n"
         busy = "import subprocess, sys, time\nwork = 'import time\\nwhile time.process_time() < 2: pass'\n"
         two = "those = [subprocess.Popen([sys.executable, '-c', work]) for _ in 'ab']\nfor that in those: that.wait()"

@@ -167,8 +167,8 @@ def execute(command, folder, cpu_limit, environment, is_limited=True):
 
 
 def wait(process, limit):
-    """The exit code of the first process of a session. Raises TimeoutExpired after so many seconds in which none of its
-    threads waited for a processor, so that other work on the machine does not count.
+    """The exit code of the first process of a session. Raises TimeoutExpired after so many seconds on the clock, less
+    all that threads of the session waited for a processor, so that other work on the machine does not count.
     """
     begin, waited = time.monotonic(), {}
     while True:

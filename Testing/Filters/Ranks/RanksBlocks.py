@@ -86,15 +86,6 @@ def make_multi(blocks):
     return data
 
 
-def make_collection(partitions):
-    data, parts = vtkPartitionedDataSetCollection(), vtkPartitionedDataSet()
-    parts.SetNumberOfPartitions(len(partitions))
-    for k, piece in enumerate(partitions):
-        parts.SetPartition(k, make_input(piece))
-    data.SetPartitionedDataSet(0, parts)
-    return data
-
-
 def make_nodes(made):
     """Of (class of the node, children), a piece, or None for a missing one."""
     if not isinstance(made, tuple):
@@ -177,7 +168,10 @@ def try_gathered():
 def try_partitions(nothing):
     """Ranks have as many partitions as they have: one more each, but for the last, which has `nothing`."""
     made = [pieces(uniform(200 + k, 7 + k), RANKS) for k in range(RANKS - 1)]
-    data = make_collection([made[k][RANK] for k in range(RANK + 1)]) if RANK < RANKS - 1 else nothing
+    data = nothing
+    if RANK < RANKS - 1:
+        own = [made[k][RANK] for k in range(RANK + 1)]
+        data = make_nodes((vtkPartitionedDataSetCollection, [(vtkPartitionedDataSet, own)]))
     found = on_all_ranks("partitions", lambda: run_blocks(data, STATUS))
     if RANK:
         return

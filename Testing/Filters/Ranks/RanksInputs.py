@@ -156,13 +156,17 @@ def observed(kind, settings, prepare):
     return {"errors": said.errors, "points": out.GetNumberOfPoints()}
 
 
+def check_refused(found, words):
+    """Each rank says so, once, and none puts anything out."""
+    for rank, part in enumerate(found or ()):
+        check(len(part["errors"]) == 1 and words in part["errors"][0], "rank %d: %r" % (rank, part["errors"]))
+        check(not part["points"], "rank %d puts something out" % rank)
+
+
 def try_damaged(kind, settings):
-    """A source that is damaged on one rank: each rank says so once, and none puts anything out."""
+    """A source that is damaged on one rank."""
     prepare = lambda algorithm: algorithm.SetSourceData(damaged() if IS_LAST else make_source(ONE))
-    work = lambda: observed(kind, settings, prepare)
-    for rank, part in enumerate(on_all_ranks("damaged", work) or ()):
-        check(len(part["errors"]) == 1 and " damaged" in part["errors"][0], "rank %d: %r" % (rank, part["errors"]))
-        check(part["points"] == 0, "rank %d puts something out" % rank)
+    check_refused(on_all_ranks("damaged", lambda: observed(kind, settings, prepare)), " damaged")
 
 
 class Aborting:
@@ -203,11 +207,8 @@ def try_aborts(kind, settings):
 
 
 def try_names(wishes, words):
-    """Names that two arrays cannot have, or that VTK has: each rank says so."""
-    work = lambda: RanksSample.run(SOME[RANK], {}, wishes, None)
-    for rank, part in enumerate(on_all_ranks("names", work) or ()):
-        check(len(part["errors"]) == 1 and words in part["errors"][0], "rank %d: %r" % (rank, part["errors"]))
-        check(not part["points"], "rank %d puts something out" % rank)
+    """Names that two arrays cannot have, or that VTK has."""
+    check_refused(on_all_ranks("names", lambda: RanksSample.run(SOME[RANK], {}, wishes, None)), words)
 
 
 def try_few_cells():
