@@ -243,7 +243,11 @@ def odd(points, ranks):
     return made
 
 
+PARTIAL = ": Extra, Float, Long, Short, one without a name."
+
+
 def partial(points, ranks):
+    """Arrays that not all ranks have alike; a warning names them as PARTIAL does."""
     made = pieces(points, ranks)
     del made[0].arrays["Float"]
     made[-1].arrays["Long"] = ("float", [float(i) for i in range(len(made[-1].points))])
