@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonCore import (
     VTK_STRING, vtkBitArray, vtkDoubleArray, vtkFloatArray, vtkIdList, vtkPoints, vtkStringArray, vtkTypeInt64Array,
     vtkUnsignedCharArray,
 )
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkTable
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkPolyData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
@@ -74,6 +74,8 @@ def make_input(piece):
         data.GetPointData().AddArray(make_array(name, kind, values))
     if "Float" in piece.arrays:
         data.GetPointData().SetActiveScalars("Float")
+    if "Long" in piece.arrays:
+        data.GetPointData().SetActiveAttribute("Long", vtkDataSetAttributes.PEDIGREEIDS)
     if piece.marks is not None:
         data.GetPointData().AddArray(make_array("vtkGhostType", "byte", piece.marks))
     return data
@@ -152,7 +154,6 @@ def read(algorithm, said):
     arrays = {array.GetName(): [value_of(array, i) for i in range(count)]
               for array in (data.GetAbstractArray(k) for k in range(data.GetNumberOfArrays()))
               if array.GetName() not in own}
-    scalars = data.GetScalars()
     every, polys, corners = [], out.GetPolys(), vtkIdList()
     edges = out.GetCellData().GetArray("ConstraintEdges")
     cell_marks = out.GetCellData().GetArray("vtkGhostType")
@@ -177,7 +178,9 @@ def read(algorithm, said):
         "places": [repr(out.GetPoint(i)) for i in range(count)],
         "number": out.GetPoints().GetDataType() if count else None,
         "arrays": arrays,
-        "scalars": scalars.GetName() if scalars and count else None,
+        "attributes": {kind: data.GetAbstractAttribute(kind).GetName()
+                       for kind in range(vtkDataSetAttributes.NUM_ATTRIBUTES)
+                       if data.GetAbstractAttribute(kind) and kind != vtkDataSetAttributes.GLOBALIDS},
         "triangles": every[:own],
         "cell ids": numbers[:own],
         "ghosts": [(numbers[i], every[i]) for i in ghosts],
@@ -240,7 +243,8 @@ def compare(found, expected):
             part["number"], expected["number"]))
         check(part["counts"] == expected["counts"], "counts: %r, not %r" % (part["counts"], expected["counts"]))
         check(part["crossings"] == expected["crossings"], "crossings")
-        check(part["scalars"] in (None, expected["scalars"]), "scalars: %r" % part["scalars"])
+        check(not part["names"] or part["attributes"] == expected["attributes"],
+              "attributes: %r, not %r" % (part["attributes"], expected["attributes"]))
         if part["names"]:
             check(set(part["arrays"]) == set(expected["arrays"]), "arrays: %r, not %r" % (
                 sorted(part["arrays"]), sorted(expected["arrays"])))
