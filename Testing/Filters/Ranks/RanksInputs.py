@@ -12,6 +12,7 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 from vtkmodules.vtkCommonCore import vtkPoints, vtkSOADataArrayTemplate, vtkTypeInt64Array
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes
 from vtkmodules.vtkCommonTransforms import vtkCylindricalTransform, vtkSphericalTransform, vtkTransform
 
 import RanksSample
@@ -232,8 +233,35 @@ def try_few_cells():
         check(sum(part[k][1] for part in found) >= count, "points: %r" % found)
 
 
+def try_scalars():
+    """Before ranks execute, they say what the scalars will be like, as one rank alone does."""
+
+    def on_ranks():
+        sampler = make_sampler(SOME[RANK], {}, {}, True)
+        found = []
+        for name in ("Float", "Triple", "Byte"):
+            for method in (sampler.LINEAR, sampler.NEAREST):
+                sampler.GetInputDataObject(0, 0).GetPointData().SetActiveScalars(name)
+                sampler.SetMethod(method)
+                sampler.UpdateInformation()
+                announced = vtkDataObject.GetActiveFieldInformation(
+                    sampler.GetOutputInformation(0), vtkDataObject.FIELD_ASSOCIATION_POINTS,
+                    vtkDataSetAttributes.SCALARS)
+                said = [announced.Get(key()) for key in (
+                    vtkDataObject.FIELD_ARRAY_TYPE, vtkDataObject.FIELD_NUMBER_OF_COMPONENTS)]
+                sampler.UpdatePiece(RANK, RANKS, 0)
+                made = sampler.GetOutput().GetPointData().GetScalars()
+                found.append((said, made and [made.GetDataType(), made.GetNumberOfComponents()]))
+        return found
+
+    for found in on_all_ranks("scalars", on_ranks) or ():
+        check(all(made in (None, said) for said, made in found), "what is announced, and made: %r" % found)
+        check(any(made for _, made in found) and len({tuple(said) for said, _ in found}) > 2, "kinds: %r" % found)
+
+
 check(RANKS > 1, "to be run on several ranks")
-todo = {"arrays apart": (try_arrays_apart,), "bent": (try_bent,), "few cells": (try_few_cells,)}
+todo = {"arrays apart": (try_arrays_apart,), "bent": (try_bent,), "few cells": (try_few_cells,),
+        "scalars": (try_scalars,)}
 for name in SOURCES:
     todo["sources: " + name] = (try_sources, name)
 for name, work in transform_failures():
