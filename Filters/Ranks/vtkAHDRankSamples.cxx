@@ -120,7 +120,6 @@ void vtkAHDRankSamples::Take(const std::vector<ahd::Bounds>& boxes)
   const ahd::BlockPoint first = { static_cast<std::int64_t>(this->Facts.GetPoints()), 0 };
   this->AddedPoints = static_cast<std::size_t>(
     needed.end() - std::lower_bound(needed.begin(), needed.end(), first));
-  this->LocalSettings.AddSourcePoints = false; // they are among the others
   this->LocalSettings.sourceHeights = ahd::SourceHeights::Own;
   this->LocalSettings.idsAreOfInput = true;
   this->LocalSettings.closedLinesAreLoops = false;
@@ -182,7 +181,6 @@ void vtkAHDRankSamples::MakeSource(const std::vector<ahd::BlockPoint>& needed)
     }
   }
   this->Source = vtkSmartPointer<vtkPolyData>::New();
-  this->Source->SetPoints(this->Input->GetPoints());
   this->Source->SetLines(lines);
   this->Source->SetPolys(polygons);
 }
