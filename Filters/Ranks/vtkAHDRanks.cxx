@@ -9,7 +9,7 @@
 namespace
 {
 constexpr int kTag = 87931; // of messages between two ranks
-/// The most bytes in one message, and in one gathering on each rank: MPI counts with int.
+/// The most bytes in one gathering on each rank: MPI counts with int.
 constexpr std::size_t kPiece = std::size_t(1) << 28;
 }
 
@@ -119,37 +119,25 @@ void vtkAHDRanks::ForPartners(const Work& work)
   }
 }
 
-void vtkAHDRanks::Send(std::size_t rank, const void* from, std::size_t bytes)
-{
-  for (std::size_t begin = 0; begin < bytes; begin += kPiece)
-  {
-    this->Controller->Send(static_cast<const unsigned char*>(from) + begin,
-      static_cast<vtkIdType>(std::min(kPiece, bytes - begin)), static_cast<int>(rank), kTag);
-  }
-}
-
-void vtkAHDRanks::Receive(std::size_t rank, void* to, std::size_t bytes)
-{
-  for (std::size_t begin = 0; begin < bytes; begin += kPiece)
-  {
-    this->Controller->Receive(static_cast<unsigned char*>(to) + begin,
-      static_cast<vtkIdType>(std::min(kPiece, bytes - begin)), static_cast<int>(rank), kTag);
-  }
-}
-
 /// The lower rank of two sends first, and each has one partner at a time: so none waits in a ring.
+/// VTK divides what is longer than MPI can count with int.
 void vtkAHDRanks::swap(
   std::size_t partner, const void* out, std::size_t outBytes, void* in, std::size_t inBytes)
 {
+  const int rank = static_cast<int>(partner);
   const bool isFirst = this->Own < partner;
-  if (isFirst)
+  for (const bool sends : { isFirst, !isFirst })
   {
-    this->Send(partner, out, outBytes);
-  }
-  this->Receive(partner, in, inBytes);
-  if (!isFirst)
-  {
-    this->Send(partner, out, outBytes);
+    if (sends && outBytes > 0)
+    {
+      this->Controller->Send(
+        static_cast<const unsigned char*>(out), static_cast<vtkIdType>(outBytes), rank, kTag);
+    }
+    if (!sends && inBytes > 0)
+    {
+      this->Controller->Receive(
+        static_cast<unsigned char*>(in), static_cast<vtkIdType>(inBytes), rank, kTag);
+    }
   }
 }
 

@@ -129,8 +129,6 @@ private:
   int Reduce(int own);
   template <typename Work>
   void ForPartners(const Work& work);
-  void Send(std::size_t rank, const void* from, std::size_t bytes);
-  void Receive(std::size_t rank, void* to, std::size_t bytes);
 
   const vtkSmartPointer<vtkMultiProcessController> Controller;
   const std::size_t Own;
