@@ -51,9 +51,7 @@ public:
     {
       own = ahd::Status::OutOfMemory;
     }
-    const ahd::Status status = this->Agreed != ahd::Status::Ok ? this->Agreed : this->agree(own);
-    this->Agreed = ahd::Status::Ok;
-    return status;
+    return this->Agreed != ahd::Status::Ok ? this->Agreed : this->agree(own);
   }
 
   /// @pre if it is not Ok, all ranks end their work: see Execute().
