@@ -293,10 +293,6 @@ bool vtkAHDRankSampling::RunTogether(const Inputs& inputs, vtkDataObject* output
       if (!samples.IsWhole())
       {
         boxes = this->BoxesOf(inputs, piece);
-        for (const ahd::Bounds& box : boxes)
-        {
-          this->Wanted = ahd::joined(this->Wanted, box);
-        }
       }
     });
   const ahd::Bounds bounds = samples.IsWhole() ? ahd::Bounds() : samples.GetBounds();
@@ -345,7 +341,7 @@ void vtkAHDRankSampling::Share(const vtkAHDSampleExecution& execution, bool isDo
   std::vector<Found> all;
   const auto make = [&](Found& found) // not Share(): an abort is told with the rest
   {
-    found = { isDone, !isDone && this->Context.IsAborted(), mine.Counts, this->Wanted,
+    found = { isDone, !isDone && this->Context.IsAborted(), mine.Counts, mine.Wanted,
       execution.GetSeconds(), error, mine.Missing };
     return ahd::Status::Ok;
   };

@@ -97,7 +97,6 @@ private:
   const vtkAHDContext& Context;
   std::string Error;                           // reported by all
   std::vector<ahd::SampleRaster> PiecesBefore; // of the ranks before this one
-  ahd::Bounds Wanted;                          // around this rank's places
   vtkAHDSampleColumns::Kind Scalars;
   vtkAHDSampleResult Result;
   double Seconds = 0.0;

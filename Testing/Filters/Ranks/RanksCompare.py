@@ -295,8 +295,6 @@ def compare_warnings(name, found, expected):
 
 def try_case(name, made, settings):
     settings = dict(settings)
-    if settings.pop("bad_ids", False) and made[-1].source:
-        made[-1].source[1][1] = [0, 10 ** 6, 1, -5]
     if settings.pop("turn", False):
         for piece in made:
             piece.source[2][0].reverse()
@@ -308,7 +306,7 @@ def try_case(name, made, settings):
         empty = ("nothing", "two points", "one line", "all dropped", "no edge is short", "ghosts of nothing",
                  "bounding points of nothing", "a fitted plane of nothing", "a fitted plane of a line",
                  "all is trimmed")
-        check(name in empty or expected["triangles"], "no triangle to compare")
+        check(name in empty or len(expected["names"]) < 3 or expected["triangles"], "no triangle to compare")
         is_trimmed = "trimmed" in name and name != "trimmed in a plane"
         check(not is_trimmed or expected["counts"]["NumberOfTrimmedTriangles"] > 50, "nothing is trimmed")
     compare(found, expected)

@@ -7,6 +7,7 @@ Sources that differ in one thing are those of each rank; the same source is one,
 """
 
 import os
+import re
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -259,9 +260,21 @@ def try_scalars():
         check(any(made for _, made in found) and len({tuple(said) for said, _ in found}) > 2, "kinds: %r" % found)
 
 
+def try_outside(settings):
+    """No place is on the surface: where each rank has all of it, the message says of how many triangles."""
+    wishes = {"UseBounds": True, "Bounds": (50, 51, 60, 61), "Dimensions": (3, 3)}
+    found = on_all_ranks("outside", lambda: RanksSample.run(SOME[RANK], settings, wishes, None))
+    if found:
+        alone = RanksSample.run(appended(SOME, settings), settings, wishes, None, distribute=False)["warnings"][-1]
+        check(" triangles. Places: " in alone, alone)
+        of_all = alone if settings else re.sub(" of [0-9]+ triangles", "", alone)
+        check(found[0]["warnings"][-1] == of_all, "%r, not %r" % (found[0]["warnings"], of_all))
+
+
 check(RANKS > 1, "to be run on several ranks")
 todo = {"arrays apart": (try_arrays_apart,), "bent": (try_bent,), "few cells": (try_few_cells,),
-        "scalars": (try_scalars,)}
+        "scalars": (try_scalars,), "outside": (try_outside, {}),
+        "outside, all on each": (try_outside, {"ProjectionPlaneMode": 2})}
 for name in SOURCES:
     todo["sources: " + name] = (try_sources, name)
 for name, work in transform_failures():

@@ -15,9 +15,10 @@ from vtkmodules.vtkParallelCore import vtkCommunicator
 
 from adaptivehilbertdelaunay import vtkAdaptiveHilbertInterpolation2D
 from RanksCompare import (
-    CONTROLLER, RANK, RANKS, WANTED, Said, attempt, check, finish, make_filter, make_input, on_all_ranks,
+    CONTROLLER, RANK, RANKS, WANTED, Said, attempt, check, finish, make_filter, make_input, make_source,
+    on_all_ranks,
 )
-from rankcases import EVERYTHING, appended, circle, pieces, uniform
+from rankcases import EVERYTHING, appended, circle, pieces, uniform, with_sources
 
 NAMED = re.compile(r"or set MemoryLimit to (\d+) or more \(KiB(, of each rank)?\)\.$")
 
@@ -87,30 +88,64 @@ def sampler_of(made, settings, **wishes):
         sampler = vtkAdaptiveHilbertInterpolation2D()
         sampler.SetTriangulation(make_filter(made[RANK], settings, True))
         sampler.SetInputData(make_input(made[RANK]))
+        if made[RANK].source:
+            sampler.SetSourceData(make_source(made[RANK].source))
         for name, value in wishes.items():
             getattr(sampler, "Set" + name)(value)
         return sampler
     return make
 
 
+def received(made):
+    """KiB of the points of all and their arrays."""
+    own = make_input(made[RANK])
+    arrays = [own.GetPoints().GetData()] + [own.GetPointData().GetAbstractArray(k)
+                                            for k in range(own.GetPointData().GetNumberOfArrays())]
+    sizes = on_all_ranks("sizes", lambda: sum(array.GetActualMemorySize() for array in arrays))
+    return sum(sizes or [])
+
+
 def try_one_rank():
-    """Where one rank does it all, what it receives is estimated beside what it does."""
-    settings = {"GenerateVoronoi": True}
+    """Where one rank does it all, what it receives is estimated beside what it does; lines are in it."""
+    settings, found = {"GenerateVoronoi": True}, []
 
     def work():
-        algorithm, data = make_filter(SOME[RANK], settings, True), make_input(SOME[RANK]).GetPointData()
+        algorithm = make_filter(made[RANK], settings, True)
         algorithm.Update()
-        arrays = [data.GetAbstractArray(k) for k in range(data.GetNumberOfArrays())]
-        return algorithm.GetMemoryEstimate(), sum(array.GetActualMemorySize() for array in arrays)
+        return algorithm.GetMemoryEstimate()
 
-    found = on_all_ranks("one rank", work)
+    for made in (SOME, with_sources(pieces(uniform(3000), RANKS), 900)):
+        estimates, all_points = on_all_ranks("one rank", work), received(made)
+        if estimates:
+            alone = make_filter(appended(made, settings), settings, False)
+            alone.Update()
+            beyond = estimates[0] - alone.GetMemoryEstimate()
+            check(beyond >= all_points, "%d KiB more than alone, but %d are received" % (beyond, all_points))
+            found.append((estimates[0], alone.GetMemoryEstimate()))
     if found:
-        alone = make_filter(appended(SOME, settings), settings, False)
-        alone.Update()
-        points = sum(len(piece.points) for piece in SOME)
-        received = sum(kib for _, kib in found) + 24 * points // 1024
-        beyond = found[0][0] - alone.GetMemoryEstimate()
-        check(beyond >= received, "%d KiB more than alone, but %d are received" % (beyond, received))
+        (plain, alone), (lines, alone_lines) = found
+        check(lines - plain > 0.95 * (alone_lines - alone) > 0, "lines take %d KiB, alone %d" % (
+            lines - plain, alone_lines - alone))
+
+
+def first_named(make):
+    """KiB, of each rank, that the first refusal asks for."""
+    algorithm = make()
+    error, *_ = execute(algorithm, Said(algorithm), 1)
+    return largest(int(NAMED.search(error)[1]))
+
+
+def try_messages():
+    """Where each rank gathers all points, there are they, and the messages in which they come."""
+    named, all_points = first_named(sampler_of(SOME, {"ProjectionPlaneMode": 2})), received(SOME)
+    check(named >= 2 * all_points, "%d KiB are asked for, but %d are received" % (named, all_points))
+
+
+def try_nearest():
+    """What is nearest is found in a second triangulation, without the constraints."""
+    made = with_sources(pieces(uniform(3000), RANKS), 4)
+    linear, nearest = (refusals(sampler_of(made, {}, Method=method), 0)["limit"] for method in (0, 3))
+    check(nearest > 1.2 * linear, "%d KiB, and %d with Linear" % (nearest, linear))
 
 
 JOINED, AT_ONCE, GHOSTS, ONE, LOCAL, PLAIN = KINDS = (
@@ -130,4 +165,7 @@ for name, arguments in CASES.items():
         attempt(name, try_limits, *arguments)
 if WANTED in "one rank":
     attempt("what one rank receives", try_one_rank)
+if WANTED in "values":
+    attempt("messages", try_messages)
+    attempt("nearest", try_nearest)
 finish()

@@ -172,8 +172,6 @@ def try_case(number, made, settings):
     if settings.pop("turn", False):
         for piece in made:
             piece.source[2][0].reverse()
-    settings.pop("bad_ids", None)
-
     all_wishes = [(dict(wishes, **({"CellSize": cells_for(made)} if "CellSize" in wishes else {})), at_places)
                   for wishes, at_places in (WISHES[number % 3], WISHES[3 + number // 3 % 3])]
 
@@ -400,10 +398,12 @@ def try_whole():
     def on_ranks():
         sampler = make_sampler(made[RANK], {}, {"Dimensions": (400, 400)}, True)
         sampler.Update()
-        return sampler.GetMemoryEstimate(), sampler.GetNumberOfPlaces(), sampler.GetOutput().GetNumberOfPoints()
+        return (sampler.GetMemoryEstimate(), sampler.GetNumberOfPlaces(), sampler.GetOutput().GetNumberOfPoints(),
+                sampler.GetSampleSeconds())
 
     found = on_all_ranks("whole", on_ranks)
-    for rank, (estimate, places, points) in enumerate(found or ()):
+    for rank, (estimate, places, points, seconds) in enumerate(found or ()):
+        check(seconds == found[0][3] > 0, "seconds of the longest rank: %r" % seconds)
         check(places == points == 160000, "rank %d: %d places, %d points" % (rank, places, points))
         more = 1024 * (estimate - found[0][0])
         check(rank == 0 or more > 24 * places, "rank %d: %d bytes for places that others have, too" % (rank, more))

@@ -146,6 +146,14 @@ def with_sources(made, segments, seed=3):
     return made
 
 
+def with_unfit_ids(made, first):
+    """A line of the last rank has ids of no point, `first` before others."""
+    made = with_sources(made, 3)
+    if made[-1].source:
+        made[-1].source[1][1] = [0, first, 1, -5, len(made[-1].points)]
+    return made
+
+
 def bowed(side, seed=1):
     """A lattice whose sides bend inwards, but for noise: flat triangles all along its rim, some deep."""
     draw = random.Random(seed)
@@ -278,6 +286,8 @@ def plain_cases(ranks):
         "uniform": (pieces(uniform(2000), ranks), EVERYTHING),
         "floats": (pieces([tuple(round(c * 4096) / 4096 for c in p) for p in uniform(1500)], ranks, "float"),
                    EVERYTHING),
+        "one point of floats on each rank": (
+            [piece for i in range(ranks) for piece in pieces([(float(i), i * i / 4, 0.5)], 1, "float")], EVERYTHING),
         "mixed numbers": (mixed(uniform(500), ranks), EVERYTHING),
         "whole numbers": (pieces([tuple(float(round(c * 100)) for c in p) for p in uniform(500)], ranks, "int"),
                           EVERYTHING),
@@ -318,7 +328,7 @@ def plain_cases(ranks):
         "short edges": (with_sources(pieces(uniform(900), ranks), 4), dict(EVERYTHING, MaximumEdgeLength=0.09)),
         "no edge is short": (pieces(uniform(90), ranks), dict(EVERYTHING, MaximumEdgeLength=1e-9)),
         "a plane": (pieces(uniform(900), ranks), dict(EVERYTHING, Rim=1, Transform=True)),
-        "unfit ids": (with_sources(pieces(uniform(60), ranks), 3), dict(EVERYTHING, bad_ids=True)),
+        "unfit ids": (with_unfit_ids(pieces(uniform(60), ranks), 10 ** 6), EVERYTHING),
         "all dropped": (with_own_points(pieces([], ranks)), dict(COORDINATES, FillRule=0, turn=True)),
     }
 
@@ -386,6 +396,8 @@ def bounding_cases(ranks):
                                                dict(COORDINATES, BoundingTriangulation=True)),
         "bounding points and lines": (with_sources(pieces(uniform(300), ranks), 4),
                                       dict(EVERYTHING, BoundingTriangulation=True, MaximumEdgeLength=0.4)),
+        "bounding points of one x": (pieces([(0.3, y, z) for _, y, z in uniform(50)], ranks),
+                                     dict(EVERYTHING, BoundingTriangulation=True)),
         "bounding points of nothing": (pieces([], ranks), dict(EVERYTHING, BoundingTriangulation=True)),
     }
 
@@ -457,7 +469,9 @@ def known_gathered_cases(ranks):
         "split": (with_sources(pieces(few, ranks), 5), dict(everything, CrossingMode=1), "CrossingMode"),
         "split on a lattice": (with_sources(pieces(lattice(300, 12), ranks), 5), dict(everything, CrossingMode=1),
                                "CrossingMode"),
-        "unfit ids": (with_sources(pieces(few, ranks), 3), dict(lines, bad_ids=True), "GenerateRegionIds"),
+        "unfit ids": (with_unfit_ids(pieces(few, ranks), 10 ** 6), lines, "GenerateRegionIds"),
+        "an id just too high": (with_unfit_ids(pieces(few, ranks), 100), lines, "GenerateRegionIds"),
+        "a negative id": (with_unfit_ids(pieces(few, ranks), -7), lines, "GenerateRegionIds"),
         "sources' points": (with_values(with_own_points(pieces(few, ranks))),
                             dict(coordinates, ClosedLines=1, GenerateRegionIds=True), "GenerateRegionIds"),
         "source on an empty rank": (with_values(with_own_points(uneven(few, ranks))),
