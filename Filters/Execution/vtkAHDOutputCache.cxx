@@ -57,9 +57,8 @@ void MakeEmpty(vtkPolyData* from, vtkPolyData* to)
   vtkNew<vtkPoints> points;
   points->SetDataType(from->GetPoints() ? from->GetPoints()->GetDataType() : VTK_FLOAT);
   to->SetPoints(points);
-  to->GetPointData()->CopyAllOn();
+  to->GetPointData()->CopyAllOn(); // VTK leaves global ids out
   to->GetPointData()->CopyAllocate(from->GetPointData(), 1);
-  to->GetCellData()->CopyAllOn();
   to->GetCellData()->CopyAllocate(from->GetCellData(), 1);
 }
 
@@ -189,7 +188,6 @@ void vtkAHDOutputCache::Keep(const vtkAHDDataSets& data, const vtkAHDContext& co
   }
   this->Share(data);
   this->AtTheTime = this->Now;
-  this->Outputs.clear();
   this->IsKept = this->TakeOutputs(context, this->Outputs);
   if (!this->IsKept)
   {

@@ -7,6 +7,7 @@
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkElevationFilter.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyDataAlgorithm.h"
@@ -236,6 +237,29 @@ TEST(Pieces, OthersHaveTheArraysOfTheFirst)
   filter->UpdatePiece(1, 2, 0); // with other settings
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_FALSE(filter->GetOutput()->GetCellData()->HasArray("ConstraintEdges"));
+}
+
+/// Global ids too, which VTK does not copy by itself.
+TEST(Pieces, OthersHaveTheGlobalIdsOfTheFirst)
+{
+  const auto points = makeCloud(scatteredPoints(100));
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("ids");
+  for (vtkIdType i = 0; i < 100; ++i)
+  {
+    ids->InsertNextValue(1000 + i);
+  }
+  points->GetPointData()->SetGlobalIds(ids);
+  WatchedFilter filter;
+  filter->SetInputData(points);
+  for (const int piece : { 0, 1 })
+  {
+    filter->UpdatePiece(piece, 2, 0);
+    vtkDataArray* const found = filter->GetOutput()->GetPointData()->GetGlobalIds();
+    ASSERT_NE(found, nullptr) << piece;
+    EXPECT_STREQ(found->GetName(), "ids");
+    EXPECT_EQ(found->GetNumberOfTuples(), piece == 0 ? 100 : 0);
+  }
 }
 
 /// Another piece than the first costs nothing, and leaves the measures alone.
