@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Data that must not be passed on from one execution to another, or be held longer than needed.
+#include "ContextSupport.h"
+#include "Execution/vtkAHDExecution.h"
+#include "Execution/vtkAHDOutputCache.h"
 #include "KeptTestSupport.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkSOADataArrayTemplate.h"
 #include "vtkWeakPointer.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
 #include <string>
 #include <utility>
@@ -293,4 +298,60 @@ TEST(KeptStale, ASingleExecutionKeepsNothing)
   corners = line.Surface()->GetPolys()->GetConnectivityArray();
   line.Surface()->Initialize();
   EXPECT_EQ(corners, nullptr);
+}
+
+/// A source that cannot be known again: what was made with it is of no use later.
+TEST(KeptStale, WhatCannotBeKnownAgainIsNotHeld)
+{
+  vtkNew<vtkSOADataArrayTemplate<double>> apart;
+  apart->SetNumberOfComponents(3);
+  apart->InsertNextTuple3(0.2, 0.2, 0.0);
+  apart->InsertNextTuple3(0.8, 0.7, 0.0);
+  vtkNew<vtkPoints> ends;
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ vtkIdType(0), vtkIdType(1) });
+  vtkNew<vtkPolyData> source;
+  source->SetPoints(ends);
+  source->SetLines(lines);
+  const auto cloud = makeCloud(scatteredPoints(100));
+  for (const bool isKnown : { true, false })
+  {
+    isKnown ? ends->SetNumberOfPoints(2) : ends->SetData(apart);
+    Line line;
+    line.Filter->SetSourceData(source); // ids of the input's points: none are added
+    line.Filter->SetReuseLimit(0);
+    EXPECT_TRUE(line.RunsTwice(cloud));
+    EXPECT_EQ(line.Runs(cloud), !isKnown);
+    const vtkWeakPointer<vtkDataArray> corners = line.Surface()->GetPolys()->GetConnectivityArray();
+    line.Surface()->Initialize();
+    EXPECT_EQ(corners != nullptr, isKnown);
+  }
+}
+
+/// Nor is what an aborted execution has made.
+TEST(KeptStale, NothingIsKeptOnAnAbort)
+{
+  const Work work(1);
+  const auto cloud = makeCloud(scatteredPoints(100));
+  std::array<vtkNew<vtkPolyData>, 3> outputs;
+  vtkAHDDataSets data;
+  data.Input = cloud;
+  for (std::size_t k = 0; k < outputs.size(); ++k)
+  {
+    data.Outputs[k] = outputs[k];
+  }
+  vtkAHDOutputCache cache;
+  for (const bool isAborted : { true, false })
+  {
+    EXPECT_FALSE(cache.Fits(data, 1, work.Context));
+    EXPECT_FALSE(cache.Fits(data, 1, work.Context)) << "the second takes fingerprints";
+    outputs[0]->DeepCopy(makeCloud(scatteredPoints(100)));
+    const vtkWeakPointer<vtkDataArray> points = outputs[0]->GetPoints()->GetData();
+    const Work keeping(1);
+    keeping.Filter->SetAbortExecute(isAborted);
+    cache.Keep(data, keeping.Context);
+    outputs[0]->Initialize();
+    EXPECT_EQ(points == nullptr, isAborted);
+    EXPECT_EQ(cache.Fits(data, 1, work.Context), !isAborted);
+  }
 }
