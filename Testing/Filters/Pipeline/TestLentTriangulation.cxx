@@ -7,6 +7,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -176,6 +177,32 @@ TEST(LentTriangulation, HasNoMemoryOfOtherCellsThanTriangles)
   const ahd::Selection& selection = content->Made.selection;
   EXPECT_EQ(selection.keptCount, 1u);
   EXPECT_EQ(selection.lines.capacity() + selection.vertices.capacity(), 0u);
+}
+
+/// The copies that a simplification reads are gone with the execution.
+TEST(LentTriangulation, HasNoAddressOfCopiesOfTheInput)
+{
+  auto cloud = makeCloud(scatteredPoints(200));
+  vtkNew<vtkDoubleArray> numbers;
+  numbers->SetName("numbers");
+  numbers->SetNumberOfValues(200);
+  numbers->FillValue(1.0);
+  cloud->GetPointData()->AddArray(numbers);
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
+  filter->SetInputData(cloud);
+  filter->SetMaximumError(1e-3);
+  filter->KeptPointsOnlyOff(); // else nothing is lent
+  filter->SetValueArrayName("numbers");
+  filter->SetWeightArrayName("numbers");
+  filter->SetKeepArrayName("numbers");
+  filter->Update();
+  vtkSmartPointer<Lent> lender;
+  const Lent::ContentPointer content = Lent::Borrow(filter->GetOutput(), Work(1).Context, lender);
+  ASSERT_NE(content, nullptr);
+  const ahd::PointNumbers& kept = content->Made.numbers;
+  EXPECT_FALSE(kept.values.isGiven());
+  EXPECT_FALSE(kept.weights.isGiven());
+  EXPECT_EQ(kept.keep, nullptr);
 }
 
 } // namespace
