@@ -10,6 +10,7 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkObjectFactory.h"
 #include "vtkTypeInt32Array.h"
 
 #include <gtest/gtest.h>
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <new>
 #include <numeric>
 #include <thread>
 #include <utility>
@@ -279,13 +281,18 @@ TEST(WorkingMemory, NoMoreIsKeptThanTheLimit)
   EXPECT_EQ(bytesWith(held - 1), 0u);
 }
 
-/// What an observer has written to is not lent, and its memory is for the next execution.
+/// What an observer has written to is not lent, and its memory is for the next execution; whether
+/// the surface shows these points or, with means, its own.
 TEST(WorkingMemory, IsKeptWhereNothingIsLent)
 {
-  for (const bool writes : { false, true })
+  for (const int variant : { 0, 1, 2, 3 })
   {
-    SCOPED_TRACE(writes);
-    auto cloud = makeCloud(latticePoints(5000, 1000000));
+    SCOPED_TRACE(variant);
+    const bool writes = variant % 2 == 1;
+    auto xyz = latticePoints(5000, 1000000);
+    xyz.push_back(xyz[0]);
+    xyz.back()[2] = 4.0;
+    auto cloud = makeCloud(xyz);
     const Work work(1);
     vtkNew<vtkCallbackCommand> observer;
     observer->SetClientData(writes ? cloud.Get() : nullptr);
@@ -300,6 +307,7 @@ TEST(WorkingMemory, IsKeptWhereNothingIsLent)
     work.Filter->AddObserver(vtkCommand::ProgressEvent, observer);
     vtkAHDSettings settings;
     settings.ReuseLimit = VTK_INT_MAX;
+    settings.showsMeans = variant / 2 == 1;
     vtkAHDInput input(settings, cloud, nullptr);
     ahd::Workspace workspace;
     vtkNew<vtkPolyData> surface, order, diagram;
@@ -307,9 +315,64 @@ TEST(WorkingMemory, IsKeptWhereNothingIsLent)
     const auto report = vtkAHDExecution(settings, input, workspace, work.Context, 0)
                           .Run({ surface, order, diagram }, &lent);
     EXPECT_EQ(report.status, ahd::Status::Ok);
+    EXPECT_EQ(surface->GetPoints()->GetPoint(0)[2], settings.showsMeans ? 2.0 : 0.0);
     EXPECT_EQ(lent != nullptr, !writes);
     EXPECT_EQ(workspace.bytes() > 0, writes);
   }
+}
+
+namespace
+{
+/// Has no memory for its numbers when it is asked so often, as arrays of other layouts may.
+class Failing : public vtkDoubleArray
+{
+public:
+  static Failing* New() { VTK_STANDARD_NEW_BODY(Failing); }
+  vtkTypeMacro(Failing, vtkDoubleArray);
+  void* GetVoidPointer(vtkIdType value) override
+  {
+    if (++this->Asked == this->FailAt)
+    {
+      throw std::bad_alloc();
+    }
+    return this->Superclass::GetVoidPointer(value);
+  }
+  int Asked = 0;
+  int FailAt = 0; ///< 0: never
+};
+}
+
+/// A triangulation that cannot be lent for want of memory is for the next execution.
+TEST(WorkingMemory, IsKeptWhereThereIsNoMemoryToLend)
+{
+  vtkNew<Failing> numbers;
+  auto cloud = makeCloud(latticePoints(5000, 1000000));
+  numbers->DeepCopy(cloud->GetPoints()->GetData());
+  cloud->GetPoints()->SetData(numbers);
+  int all = 0, notLent = 0;
+  for (int k = 0; k <= all; ++k)
+  {
+    SCOPED_TRACE(k);
+    const Work work(1);
+    vtkAHDSettings settings;
+    settings.ReuseLimit = VTK_INT_MAX;
+    vtkAHDInput input(settings, cloud, nullptr);
+    ahd::Workspace workspace;
+    vtkNew<vtkPolyData> surface, order, diagram;
+    vtkAHDExecution::LentPointer lent;
+    numbers->Asked = 0;
+    numbers->FailAt = k;
+    const auto report = vtkAHDExecution(settings, input, workspace, work.Context, 0)
+                          .Run({ surface, order, diagram }, &lent);
+    numbers->FailAt = 0;
+    all = k == 0 ? numbers->Asked : all;
+    const bool isOk = report.status == ahd::Status::Ok;
+    EXPECT_TRUE(isOk || (k > 0 && report.status == ahd::Status::OutOfMemory));
+    EXPECT_EQ(surface->GetNumberOfPolys() > 0, isOk);
+    EXPECT_EQ(workspace.bytes() > 0, isOk && lent == nullptr);
+    notLent += isOk && lent == nullptr ? 1 : 0;
+  }
+  EXPECT_GT(notLent, 0);
 }
 
 /// What is lent has its part of the limit: of the outputs only the rest is kept.
