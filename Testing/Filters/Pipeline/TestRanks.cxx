@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // On several ranks the filter warns, once, that each rank works on its own points.
+#include "ContextSupport.h"
 #include "FilterTestSupport.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Ranks/vtkAHDRoute.h"
+#include "Sampling/vtkAHDSampleExecution.h"
 
 #include "vtkAdaptiveHilbertInterpolation2D.h"
 #include "vtkDummyCommunicator.h"
 #include "vtkDummyController.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -175,4 +178,47 @@ TEST(Ranks, AnInterpolationWithoutATriangulationIsAnErrorThereToo)
   vtkMultiProcessController::SetGlobalController(nullptr);
   ASSERT_EQ(said->Errors.size(), 1u);
   EXPECT_NE(said->Errors[0].find("Triangulation is null"), std::string::npos) << said->Errors[0];
+}
+
+/// Places of a rank that those before it have, too, are found once more, to leave them out of the
+/// counts: that takes as much as if they were given as points.
+TEST(Ranks, CommonPlacesAreInTheEstimateOfAnInterpolation)
+{
+  auto points = makeCloud(latticePoints(1000, 1000));
+  const auto estimateOf = [&points](vtkAHDSampleInputs inputs, vtkDataSet* output)
+  {
+    const Work work(1);
+    vtkAHDSettings settings;
+    vtkAHDSampleSettings wishes;
+    wishes.Heights = "height";
+    wishes.Mask = "mask";
+    inputs.Points = points;
+    vtkAHDSampleExecution execution(work.Filter, settings, wishes, work.Context, false);
+    vtkAHDSampleMemoryKept none;
+    EXPECT_TRUE(execution.Run(inputs, none, output));
+    return 1024.0 * double(execution.GetMemory().Estimate);
+  };
+  const auto pieceOf = [](std::size_t firstColumn, std::size_t columns) {
+    return ahd::SampleRaster{ { 0, 0 }, { 1, 1 }, columns, 300, firstColumn, 0 };
+  };
+  const auto estimateWith = [&](const std::vector<ahd::SampleRaster>& before)
+  {
+    const vtkAHDRaster piece{ vtkAHDRasterFault::None, pieceOf(100, 400), {} };
+    vtkAHDSampleInputs inputs;
+    inputs.Raster = &piece;
+    inputs.PiecesBefore = &before;
+    return estimateOf(inputs, vtkNew<vtkImageData>());
+  };
+  const auto estimateOfPlaces = [&](std::size_t count)
+  {
+    auto places = makeCloud(latticePoints(count, 1000));
+    vtkAHDSampleInputs inputs;
+    inputs.Places = places;
+    return estimateOf(inputs, vtkNew<vtkPolyData>());
+  };
+  constexpr std::size_t kCommon = 250 * 300; // columns from 100 to 200, to 300, and from 450
+  const double without = estimateWith({});
+  const double with = estimateWith({ pieceOf(0, 200), pieceOf(150, 150), pieceOf(450, 50) });
+  EXPECT_NEAR(
+    with - without, estimateOfPlaces(1000 + kCommon) - estimateOfPlaces(1000), 3 * 1024.0);
 }
