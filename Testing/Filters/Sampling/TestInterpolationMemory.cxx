@@ -19,6 +19,10 @@
 #include <cmath>
 #include <functional>
 
+#if defined(__linux__)
+#include "AddressSpaceLimit.h"
+#endif
+
 namespace
 {
 
@@ -445,5 +449,32 @@ TEST(InterpolationMemory, NoPointIsMovedWhereThereIsNoMemory)
   EXPECT_GE(transform->Asked, 2000u);
   EXPECT_EQ(filter.Said->Errors.size(), 2u);
 }
+
+#if defined(__linux__)
+/// Memory that is held from one execution to the next is there for it, beside what is free.
+TEST(InterpolationMemory, WhatIsHeldCountsAsThere)
+{
+  auto points = cloud(300000);
+  for (const bool isHeld : { false, true })
+  {
+    WatchedInterpolation filter;
+    filter->SetInputData(points);
+    filter->SetDimensions(100, 100);
+    filter->GetTriangulation()->KeepTriangulationOff(); // only the memory of one
+    filter->GetTriangulation()->SetReuseLimit(isHeld ? VTK_INT_MAX : 0);
+    filter->Update();
+    filter->Modified();
+    ASSERT_EQ(filter->GetNumberOfTriangulations(), 1);
+    {
+      const auto needed = 1024 * static_cast<std::size_t>(filter->GetMemoryEstimate());
+      AddressSpaceLimit limit(needed / 4 * 3);
+      ASSERT_TRUE(limit.Works);
+      filter->Update();
+    }
+    EXPECT_EQ(filter->GetNumberOfTriangulations(), isHeld ? 2 : 1);
+    EXPECT_EQ(filter.Said->Errors.size(), isHeld ? 0u : 1u);
+  }
+}
+#endif
 
 } // namespace
