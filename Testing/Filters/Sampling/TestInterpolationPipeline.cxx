@@ -239,6 +239,48 @@ TEST(InterpolationPipeline, AbortedBehindTheLastPlace)
   }
 }
 
+/// Counts the polls for an abort.
+class AskedInterpolation : public Filter
+{
+public:
+  static AskedInterpolation* New() { VTK_STANDARD_NEW_BODY(AskedInterpolation); }
+  vtkTypeMacro(AskedInterpolation, Filter);
+  int GetAbortExecute() override
+  {
+    ++this->Asked;
+    return this->Superclass::GetAbortExecute();
+  }
+  int Asked = 0;
+};
+
+/// Each array of numbers that may be NaN is looked through, where a place lacks a value.
+TEST(InterpolationPipeline, AbortsAreHeardWhileMissingValuesAreLookedUp)
+{
+  constexpr vtkIdType kPoints = 200000, kSteps = kPoints >> 14;
+  auto points = cloud(kPoints);
+  vtkNew<AskedInterpolation> filter;
+  vtkNew<Messages> said; // of places without a value
+  said->Watch(filter);
+  double place[3];
+  points->GetPoint(7, place);
+  filter->SetPlacesData(makeCloud({ { place[0], place[1], 0 } }));
+  filter->GetTriangulation()->SetNumberOfThreads(1);
+  const auto asked = [&](double value)
+  {
+    addArray<vtkDoubleArray>(points, "a", [value](vtkIdType i) { return i == 7 ? value : 1.0; });
+    points->Modified();
+    filter->SetInputData(points);
+    filter->Asked = 0;
+    filter->Update();
+    EXPECT_EQ(filter->GetNumberOfPlacesWithoutValue(), std::isnan(value) ? 1 : 0);
+    return filter->Asked;
+  };
+  asked(1.0); // triangulates
+  const int without = asked(2.0);
+  EXPECT_GE(asked(kNaN), without + 2 * kSteps); // of heights and array
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 1);
+}
+
 TEST(InterpolationPipeline, SameBytesWithTwoThreadsAndForShuffledPoints)
 {
   std::vector<Xyz> points = scatteredPoints(40000, 23);
