@@ -2,6 +2,7 @@
 //
 // The interpolation's raster where points have other bounds at each time, and downstream filters.
 #include "PipelineSupport.h"
+#include "Sampling/vtkAHDSampleInformation.h"
 
 #include <gtest/gtest.h>
 
@@ -76,6 +77,24 @@ TEST(InterpolationTimes, FiltersBehindHaveWhatTheyWereToldAtEachTime)
     expect(100, 100);
     EXPECT_TRUE(behind->HadItsPlace);
   }
+}
+
+/// A request without a cell, whichever side is empty, asks for none.
+TEST(InterpolationTimes, FiltersBehindThatWantNothingAreToldOfNothing)
+{
+  vtkNew<vtkInformation> info;
+  EXPECT_EQ(vtkAHDToldRaster(info).columns, 0u);
+  const int none[][6] = { { 0, -1, 0, -1, 0, -1 }, { 0, -1, 0, 7, 0, 0 }, { 0, 9, 0, -1, 0, 0 },
+    { 4, 3, 0, 7, 0, 0 }, { 0, 9, 5, 2, 0, 0 } };
+  for (const auto& extent : none)
+  {
+    info->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
+    EXPECT_EQ(vtkAHDToldRaster(info).columns, 0u) << extent[0] << " " << extent[2];
+  }
+  const int some[] = { 2, 9, 3, 7, 0, 0 };
+  info->Set(Pipeline::UPDATE_EXTENT(), some, 6);
+  EXPECT_EQ(vtkAHDToldRaster(info).columns, 10u); // cells are counted from the corner
+  EXPECT_EQ(vtkAHDToldRaster(info).rows, 8u);
 }
 
 /// A raster that is larger than its points, for downstream filters, is so only until the next
