@@ -7,11 +7,13 @@ import itertools
 import unittest
 
 from classtests import (
-    Case, Filter, Said, array, blocks, cells_of, cloud, core, model, run_tests, source, tested_class, values_of,
+    Case, Filter, Said, array, blocks, cells_of, cloud, core, model, run_tests, source, tested_class, triangles,
+    values_of,
 )  # fmt: skip
 from numbered import Random
 
 Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
+QualityMesh = tested_class("vtkAdaptiveHilbertQualityMesh2D")
 KINDS = {"float64": "vtkDoubleArray", "float32": "vtkFloatArray", "int32": "vtkIntArray",
          "uint8": "vtkUnsignedCharArray", "int16": "vtkShortArray"}  # fmt: skip
 COUNT, OWN = 41, 7
@@ -158,6 +160,25 @@ class LayoutsTest(Case):
 
     def test_of_values_between(self):
         self.check(self.interpolated, (False, True))
+
+    def refined(self, kind, apart, sizes):
+        given = cloud([(9 * x, 9 * y, z) for x, y, z in places(COUNT, 12)])
+        data = array(KINDS[kind], "size", sizes)
+        given.GetPointData().AddArray(laid(data, kind) if apart else data)
+        algorithm = QualityMesh()
+        algorithm.SetInputDataObject(given)
+        algorithm.SetSizeArrayName("size")
+        algorithm.Update()
+        self.assertGreater(algorithm.GetNumberOfAddedPoints(), 10)
+        return triangles(algorithm.GetOutput(0))
+
+    def test_sizes_of_a_mesh(self):
+        """Each point has its own, of whatever type."""
+        sizes = [1 + k % 3 for k in range(COUNT)]
+        expected = self.refined("float64", False, sizes)
+        for kind, apart in itertools.product(KINDS, (False, True)):
+            self.assertEqual(self.refined(kind, apart, sizes), expected, (kind, apart))
+        self.assertNotEqual(self.refined("float64", True, sizes[1:] + sizes[:1]), expected)
 
     def merged(self, kind, components, apart, _option):
         """Blocks of different lengths."""
