@@ -214,6 +214,8 @@ class QualityMeshTest(Case):
         self.assertRegex(said.errors[0], pattern)
         for output in map(made.GetOutput, (0, 1)):
             self.assertEqual((output.GetNumberOfPoints(), output.GetNumberOfCells()), (0, 0))
+            parts = output.GetPointData(), output.GetCellData(), output.GetFieldData()
+            self.assertEqual([part.GetNumberOfArrays() for part in parts], [0, 0, 0])
         self.assertEqual((made.GetNumberOfTriangles(), made.GetNumberOfAddedPoints(), made.GetMeasures()), (0, 0, ""))
         return made
 
