@@ -2,6 +2,8 @@
 //
 // Progress is reported and never goes back; an abort at any time leaves no output and breaks
 // nothing.
+#include "Execution/vtkAHDExecution.h"
+#include "Execution/vtkAHDLentTriangulation.h"
 #include "FilterTestSupport.h"
 #include "Pipeline/vtkAHDProgress.h"
 #include "ProgressWatch.h"
@@ -43,6 +45,46 @@ public:
 
   int AskedAfterwards = 0;
 };
+
+/// Aborts at this poll, from 1.
+class Aborting : public vtkAlgorithm
+{
+public:
+  static Aborting* New() { VTK_STANDARD_NEW_BODY(Aborting); }
+  vtkTypeMacro(Aborting, vtkAlgorithm);
+
+  int GetAbortExecute() override { return ++this->Asked >= this->AbortAt ? 1 : 0; }
+
+  int Asked = 0;
+  int AbortAt = VTK_INT_MAX;
+};
+
+/// An execution without a pipeline, which would empty the outputs itself. Returns the polls.
+int pollsOfExecution(vtkPolyData* cloud, int abortAt)
+{
+  vtkNew<Aborting> filter;
+  filter->AbortAt = abortAt;
+  vtkAHDProgress progress(filter);
+  ahd::Threads threads(1);
+  vtkAHDOutputMemory memory;
+  const vtkAHDContext context(progress, threads, memory);
+  vtkAHDSettings settings;
+  settings.ReuseLimit = VTK_INT_MAX;
+  settings.voronoi = true;
+  vtkAHDInput input(settings, cloud, nullptr);
+  ahd::Workspace workspace;
+  vtkNew<vtkPolyData> surface, order, diagram;
+  vtkAHDExecution::LentPointer lent;
+  const auto report =
+    vtkAHDExecution(settings, input, workspace, context, 0).Run({ surface, order, diagram }, &lent);
+  const bool isWhole = filter->Asked < abortAt;
+  EXPECT_EQ(report.status, isWhole ? ahd::Status::Ok : ahd::Status::Cancelled);
+  EXPECT_EQ(surface->GetNumberOfPoints() > 0, isWhole);
+  EXPECT_EQ(diagram->GetNumberOfPoints() > 0, isWhole);
+  EXPECT_EQ(lent != nullptr, isWhole);
+  EXPECT_EQ(workspace.bytes(), 0u);
+  return filter->Asked;
+}
 
 /// Counts the polls at each place of the bar.
 class WorkingFilter : public vtkAdaptiveHilbertDelaunay2D
@@ -337,6 +379,19 @@ TEST(Progress, AnAbortEndsThePhaseItIsAskedForIn)
   filter->SetAbortExecute(1);
   EXPECT_FALSE(progress.advance(ahd::Phase::Insert, 0.6));
   EXPECT_FALSE(progress.goesOn());
+}
+
+/// Nothing is put out, kept or lent, up to the last poll, which is of the triangulation to lend.
+TEST(Progress, AnAbortAtAnyPollLeavesNothing)
+{
+  auto cloud = makeCloud(latticePoints(3000, 1000000));
+  const int all = pollsOfExecution(cloud, VTK_INT_MAX);
+  ASSERT_GT(all, 20);
+  for (int at = 1; at <= all; ++at)
+  {
+    SCOPED_TRACE(std::to_string(at) + " of " + std::to_string(all));
+    pollsOfExecution(cloud, at);
+  }
 }
 
 /// If the engine continued after an abort, it would continue to poll.
