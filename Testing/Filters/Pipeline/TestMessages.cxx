@@ -258,6 +258,36 @@ TEST(Messages, MemoryEstimateHasTheTablesThatAreLookedUp)
   EXPECT_NEAR(double(perPoint() - withDiagram), double(sizeof(vtkIdType)), 1.0);
 }
 
+/// Points that a simplified surface keeps are copies, beside all others until these are gone.
+TEST(Messages, MemoryEstimateHasCopiesOfKeptPoints)
+{
+  constexpr int kCount = 5000;
+  const auto estimate = [](int components, bool keptOnly)
+  {
+    auto cloud = makeCloud(latticePoints(kCount, 100000));
+    vtkNew<vtkDoubleArray> data;
+    data->SetName("data");
+    data->SetNumberOfComponents(components);
+    data->SetNumberOfTuples(kCount);
+    data->Fill(0.0);
+    cloud->GetPointData()->AddArray(data);
+    vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
+    filter->SetMaximumError(1.0);
+    filter->SetKeptPointsOnly(keptOnly);
+    filter->SetInputData(cloud);
+    filter->Update();
+    return 1024.0 * double(filter->GetMemoryEstimate());
+  };
+  // where they are, an id in an array and in a list, a new number
+  constexpr double kPlaceAndIds = 3 * sizeof(double) + 2 * sizeof(vtkIdType) + 4;
+  for (const int components : { 50, 100 })
+  {
+    const double ofData = double(sizeof(double)) * components;
+    EXPECT_NEAR(estimate(components, true) - estimate(components, false),
+      kCount * (ofData + kPlaceAndIds), 2 * 1024.0);
+  }
+}
+
 #if defined(__linux__)
 TEST(Messages, TooManyPointsAreRefused)
 {
