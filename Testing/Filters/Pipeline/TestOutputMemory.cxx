@@ -321,6 +321,36 @@ TEST(WorkingMemory, IsKeptWhereNothingIsLent)
   }
 }
 
+/// Nor is a triangulation lent whose places go with the input, or that takes more than the limit.
+TEST(WorkingMemory, IsKeptWhereNothingMayBeLent)
+{
+  const auto run = [](const vtkAHDSettings& settings, int type)
+  {
+    auto cloud = makeCloud(latticePoints(5000, 1000000), type);
+    const Work work(1);
+    vtkAHDInput input(settings, cloud, nullptr);
+    ahd::Workspace workspace;
+    vtkNew<vtkPolyData> surface, order, diagram;
+    vtkAHDExecution::LentPointer lent;
+    const auto report = vtkAHDExecution(settings, input, workspace, work.Context, 0)
+                          .Run({ surface, order, diagram }, &lent);
+    EXPECT_EQ(report.status, ahd::Status::Ok);
+    EXPECT_EQ(workspace.bytes() > 0, lent == nullptr);
+    return workspace.bytes();
+  };
+  vtkAHDSettings plain, projected, copied;
+  plain.ReuseLimit = projected.ReuseLimit = copied.ReuseLimit = VTK_INT_MAX;
+  projected.plane = ahd::PlaneKind::BestFit;
+  copied.CopiesKept = true;
+  EXPECT_EQ(run(plain, VTK_DOUBLE), 0u);
+  const std::size_t bytes = run(plain, VTK_INT);
+  EXPECT_GT(bytes, 5000 * 12u);
+  EXPECT_GT(run(projected, VTK_DOUBLE), 0u);
+  EXPECT_GT(run(copied, VTK_DOUBLE), 0u);
+  plain.ReuseLimit = static_cast<vtkTypeInt64>((bytes + 1023) / 1024); // tables are lent, too
+  EXPECT_EQ(run(plain, VTK_DOUBLE), bytes);
+}
+
 namespace
 {
 /// Has no memory for its numbers when it is asked so often, as arrays of other layouts may.
