@@ -167,6 +167,25 @@ TEST(FaultsMemory, RunningOutAtAnyAllocationIsOneErrorAndNoMore)
   }
 }
 
+/// Which comes first: no allocation of these is left out.
+TEST(FaultsMemory, RunningOutWhileBlocksAreMergedIsOneErrorToo)
+{
+  for (const Feature& feature : allFeatures())
+  {
+    if (feature.Name != std::string("blocks"))
+    {
+      continue;
+    }
+    Case given(feature, 30, 1);
+    for (std::size_t k = 1; k <= 30; ++k)
+    {
+      SCOPED_TRACE(k);
+      given.Filter->Modified();
+      given.ExpectSurvived(k, false);
+    }
+  }
+}
+
 TEST(LongFaultsMemory, RunningOutAtEveryAllocation)
 {
   for (const Feature& feature : allFeatures())
