@@ -2,12 +2,14 @@
 """Ctrl-C during VTK's requests for data, in the class in Python."""
 
 import ctypes
+import importlib
 import os
 import signal
 import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 from classtests import (BACKEND, IN_PYTHON, Case, Filter, Said, Source, blocks, cloud, model, run_tests, tested_class,
                         vtk)
@@ -15,6 +17,23 @@ from test_kept import contents, scattered, silent
 from test_pipeline import behind
 
 Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
+QualityMesh = tested_class("vtkAdaptiveHilbertQualityMesh2D")
+Outline = tested_class("vtkPlanarSurfaceOutline")
+# By class, the last steps of an execution: module, class in it, method.
+STEPS = {
+    Source: (("source", "_Making", "_make"),),
+    Filter: (("outputs", "Surface", "write_points"), ("outputs", "Surface", "write_cells"),
+             ("filter", "_Executions", "_execute")),
+    Interpolation: (("interpolating", "Interpolating", "_add_mask"), ("interpolation", "_Executions", "_execute")),
+    QualityMesh: (("quality", "_Meshing", "_write_points"), ("quality", "_Meshing", "_write_triangles"),
+                  ("quality", "_Meshing", "run"), ("quality", "_Executions", "_execute")),
+    Outline: (("outline", "_Writer", "_write_points"), ("outline", "_Writer", "write")),
+}
+
+
+def part(name):
+    """A module of the class in Python."""
+    return importlib.import_module(Source.__mro__[1].__module__.rpartition(".")[0] + "." + name)
 
 
 @unittest.skipUnless(IN_PYTHON, "the compiled class does not hear it")
@@ -155,26 +174,45 @@ class InterruptsTest(Case):
 
     def test_elsewhere_than_in_the_engine(self):
         """Raised by Python between its steps: of the source, and while outputs are written."""
-        python = sys.modules[type(Source()).__mro__[1].__module__.rpartition(".")[0]]
-        planar, outputs = (__import__(python.__name__ + "." + name, fromlist=["_"]) for name in ("planar", "outputs"))
         points = Source()
         points.SetNumberOfPoints(500)
         triangulation = Filter()
         triangulation.SetInputConnection(points.GetOutputPort())
-        for kind, method in ((planar.PlanarPoints, "next"), (outputs.Surface, "write_cells")):
-            known = getattr(kind, method)
-
-            def raises(*_given):
-                raise KeyboardInterrupt
-
-            setattr(kind, method, raises)
-            try:
+        for kind, method in ((part("planar").PlanarPoints, "next"), (part("outputs").Surface, "write_cells")):
+            with unittest.mock.patch.object(kind, method, side_effect=KeyboardInterrupt):
                 with self.assertRaises(KeyboardInterrupt):
                     behind(triangulation).Update()
-            finally:
-                setattr(kind, method, known)
         triangulation.Update()
         self.assertGreater(triangulation.GetOutput().GetNumberOfCells(), 900)
+
+    def test_after_each_of_the_last_steps(self):
+        """When outputs have been written, in part or all."""
+        surface = self.make(Filter)
+        surface.Update()
+        for kind, steps in STEPS.items():
+            for module, owner, method in steps:
+                with self.subTest(kind=kind, method=method):
+                    algorithm = kind() if kind is Source else self.make(kind)
+                    if kind is Outline:
+                        algorithm.SetInputDataObject(surface.GetOutput())
+                    self.assertIsEmptyAfter(algorithm, getattr(part(module), owner), method)
+
+    def assertIsEmptyAfter(self, algorithm, owner, method):
+        known = getattr(owner, method)
+
+        def step(*given):
+            known(*given)
+            raise KeyboardInterrupt
+
+        with unittest.mock.patch.object(owner, method, step):
+            with self.assertRaises(KeyboardInterrupt):
+                algorithm.Update()
+        outputs = [algorithm.GetOutputDataObject(port) for port in range(algorithm.GetNumberOfOutputPorts())]
+        for output in outputs:
+            data = output.GetPointData(), output.GetCellData(), output.GetFieldData()
+            self.assertEqual((output.GetNumberOfPoints(), [part.GetNumberOfArrays() for part in data]), (0, [0, 0, 0]))
+        algorithm.Update()
+        self.assertGreater(outputs[0].GetNumberOfPoints(), 0)
 
     def test_a_filter_in_python_that_asks_others(self):
         """It is interrupted first, and its request fails; then its caller's does."""
@@ -268,7 +306,7 @@ class InterruptsTest(Case):
 
     def test_who_asked_has_ended(self):
         """Without it: the next call raises it, once."""
-        interrupts = sys.modules[type(Source()).__mro__[1].__module__.rpartition(".")[0] + ".interrupts"]
+        interrupts = part("interrupts")
         lost = interrupts._Arrival.__new__(interrupts._Arrival)  # which Python does not call
         lost.raised, lost.asker, lost.failed = KeyboardInterrupt(), (lambda: sys._getframe())(), []
         interrupts._under_way.append(lost)
