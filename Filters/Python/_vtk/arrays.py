@@ -231,13 +231,14 @@ class BadCells(engine.EngineError):
 
 
 def ids_of(backend, cells, what):
-    """Offsets and ids of a vtkCellArray; (None, None) where no cell has a point. `what` they are, for the text of
-    BadCells."""
+    """Offsets and ids of a vtkCellArray, both of 32 bits or both of 64; (None, None) where no cell has a point. `what`
+    they are, for the text of BadCells."""
     if cells is None or cells.GetNumberOfConnectivityIds() == 0 or cells.GetNumberOfCells() <= 0:
         return None, None
-    found = []
-    for data in (cells.GetOffsetsArray(), cells.GetConnectivityArray()):
-        if not (is_viewable(data) and data.GetDataTypeSize() in (4, 8)):
+    found, parts = [], (cells.GetOffsetsArray(), cells.GetConnectivityArray())
+    sizes = [data.GetDataTypeSize() if is_viewable(data) else 0 for data in parts]
+    for data, size in zip(parts, sizes):
+        if not (size == 8 or sizes == [4, 4]):
             copy = backend.vtkTypeInt64Array()
             copy.DeepCopy(data)
             data = copy

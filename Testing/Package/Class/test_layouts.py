@@ -7,7 +7,7 @@ import itertools
 import unittest
 
 from classtests import (
-    Case, Filter, Said, array, blocks, cells_of, cloud, core, model, run_tests, source, tested_class, triangles,
+    Case, Filter, Said, array, blocks, cells_of, cloud, core, model, run, run_tests, source, tested_class, triangles,
     values_of,
 )  # fmt: skip
 from numbered import Random
@@ -16,7 +16,7 @@ Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
 QualityMesh = tested_class("vtkAdaptiveHilbertQualityMesh2D")
 KINDS = {"float64": "vtkDoubleArray", "float32": "vtkFloatArray", "int32": "vtkIntArray",
          "uint8": "vtkUnsignedCharArray", "int16": "vtkShortArray"}  # fmt: skip
-COUNT, OWN = 41, 7
+COUNT, OWN, MANY = 41, 7, 4000
 
 
 def of_components(kind):
@@ -221,6 +221,61 @@ class LayoutsTest(Case):
         lines.SetLines(cells_of([(0, 1), (2, 3, 4)]))
         algorithm.Update()
         self.assertEqual(values_of(algorithm.GetOutput().GetCellData().GetAbstractArray("ConstraintEdges")), expected)
+
+
+class EstimateTest(Case):
+    """Copies that are read in place of arrays are in the estimate of memory, to the byte (it is in KiB)."""
+
+    def points(self, seed, kind=core.VTK_DOUBLE):
+        return cloud([[int(1e6 * x) for x in point] for point in places(MANY, seed)], kind)
+
+    def estimate(self, given, lines=None, **settings):
+        algorithm, said = run(given, **settings, **({"SourceData": lines} if lines else {}))
+        self.assertEqual(said.errors, [])
+        return algorithm.GetMemoryEstimate()
+
+    def assertTakes(self, size, more, than):
+        self.assertAlmostEqual(more - than, size / 1024, delta=1)
+
+    def test_points(self):
+        """Three doubles each: floats and doubles are read where they lie. Of the source where it brings its own."""
+        exact, whole = (self.points(1, kind) for kind in (core.VTK_DOUBLE, core.VTK_INT))
+        self.assertTakes(24 * MANY, self.estimate(whole), self.estimate(exact))
+        for mode in (0, 1):
+            lines = [self.points(2, kind) for kind in (core.VTK_DOUBLE, core.VTK_INT)]
+            for one in lines:
+                one.SetLines(cells_of([(0, 1)]))
+            known, more = (self.estimate(exact, one, SourceMode=mode) for one in lines)
+            self.assertTakes(24 * MANY * mode, more, known)
+
+    def test_numbers(self):
+        """A double for each value and weight, a byte for whether a point is kept."""
+        given = self.points(1)
+        given.GetPointData().AddArray(array("vtkFloatArray", "own", [1 + k % 7 for k in range(MANY)]))
+        given.GetPointData().AddArray(array("vtkFloatArray", "none", MANY * [0]))
+        known = self.estimate(given, MaximumError=1e-9)
+        for setting, name, size in (("Value", "own", 8), ("Weight", "own", 8), ("Keep", "none", 1)):
+            more = self.estimate(given, MaximumError=1e-9, **{setting + "ArrayName": name})
+            self.assertTakes(size * MANY, more, known)
+
+    @unittest.skipUnless(hasattr(model.vtkCellArray, "IsStorageGeneric"), "ids and offsets are of one kind")
+    def test_cells(self):
+        """Ids and offsets are read in place where both have 32 bits or both 64."""
+        given, known = self.points(1), None
+        for kinds, is_copied in ((("Int64", "Int64"), (0, 0)), (("Int32", "Int32"), (0, 0)),
+                                 (("Int64", "Int32"), (0, 1)), (("Int32", "Int64"), (1, 0)),
+                                 (("Int16", "Int32"), (1, 1)), (("UInt16", "Int16"), (1, 1))):  # fmt: skip
+            ids, offsets = (getattr(core, "vtkType%sArray" % kind)() for kind in kinds)
+            for data, step in ((ids, 1), (offsets, 4)):
+                for k in range(0, MANY + 1 if step == 4 else MANY, step):
+                    data.InsertNextValue(k)
+            lines, cells = self.points(2), model.vtkCellArray()
+            cells.SetData(offsets, ids)
+            lines.SetLines(cells)
+            found = self.estimate(given, lines, SourceMode=1)
+            known = known or found
+            with self.subTest(kinds=kinds):
+                self.assertTakes(8 * (MANY * is_copied[0] + (MANY // 4 + 1) * is_copied[1]), found, known)
 
 
 if __name__ == "__main__":
