@@ -29,7 +29,6 @@ class PointData:
     def __init__(self, backend, job, given, source, count):
         self.backend, self.job, self.given, self.source, self.count = backend, job, given, source, count
         self.input_count = given.GetNumberOfPoints()
-        self.source_count = source.GetNumberOfPoints() if source else 0
 
     def write(self, output):
         vtk = self.backend
@@ -81,7 +80,7 @@ class PointData:
         if more is None or made.GetNumberOfComponents() != more.GetNumberOfComponents() or not (
                 numbers or made.GetDataType() == more.GetDataType()):
             return
-        many = min(self.source_count, more.GetNumberOfTuples())
+        many = min(self.source.GetNumberOfPoints(), more.GetNumberOfTuples())
         areas_long = numbers and made.GetDataTypeSize() == 8 and is_whole(self.backend, more)  # as doubles they are not
         if numbers and is_whole(self.backend, made) and made.GetDataType() != more.GetDataType() and not areas_long:
             self._put(made, self.input_count, numpy.array(
