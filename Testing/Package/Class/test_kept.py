@@ -9,6 +9,7 @@ from classtests import (Case, Filter, Random, Said, array, blocks, cells_of, clo
                         source, tested_class, vtk)
 
 Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
+QualityMesh = tested_class("vtkAdaptiveHilbertQualityMesh2D")
 NUMBERS = vtk("util.numpy_support")
 COUNT = 60
 
@@ -284,6 +285,20 @@ class EditsTest(Case):
             self.assertGreater(algorithm.GetOutput().GetFieldData().GetArray("NumberOfTriangles").GetValue(0), 9)
 
 
+# By name, an array of the input or of the source.
+ARRAYS = {
+    "points": lambda given, _: given.GetPoints().GetData(),
+    "numbers": lambda given, _: given.GetPointData().GetArray("depth"),
+    "points of the source": lambda _, lines: lines.GetPoints().GetData(),
+    "numbers of the source": lambda _, lines: lines.GetPointData().GetArray("depth"),
+    "ids of lines": lambda _, lines: lines.GetLines().GetConnectivityArray(),
+    "offsets of lines": lambda _, lines: lines.GetLines().GetOffsetsArray(),
+    "ids of polygons": lambda _, lines: lines.GetPolys().GetConnectivityArray(),
+    "offsets of polygons": lambda _, lines: lines.GetPolys().GetOffsetsArray(),
+    "ids of vertices": lambda _, lines: lines.GetVerts().GetConnectivityArray(),
+}
+
+
 class ObserversTest(Case):
     """Observers of progress change the filter's data."""
 
@@ -333,6 +348,23 @@ class ObserversTest(Case):
             places = cloud(scattered(50, 2))
             found = self.watched(lambda: at(places), cloud(scattered(20000)), lambda _: change(places))
             self.assertTrue(found == expected)
+
+    def test_the_size_of_an_array(self):
+        """Of any that is read: an error before more of it is read. Of others it does not matter."""
+        for make in (triangulation, interpolation, lambda: silent(QualityMesh())):
+            for name, arrays in ARRAYS.items():
+                given, lines = cloud(scattered(3000)), square()
+                with_arrays(given, lines)
+                lines.SetVerts(cells_of([(0,), (1,)]))
+                taken, algorithm = arrays(given, lines), with_source(make(), lines)
+                said = Said(algorithm)
+                algorithm.SetInputDataObject(0, given)
+                algorithm.AddObserver(
+                    "ProgressEvent", lambda *_: algorithm.GetProgress() > 0.1 and taken.SetNumberOfTuples(1))
+                algorithm.Update()
+                with self.subTest(kind=algorithm.GetClassName(), array=name):
+                    self.assertEqual(["other memory or another size" in text for text in said.errors],
+                                     [] if name == "ids of vertices" else [True])
 
     def test_outputs(self):
         """They are empty until all is written, and data that observers take from them before are not lost."""
