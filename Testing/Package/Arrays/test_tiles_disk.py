@@ -3,6 +3,7 @@
 are the same whoever compresses them; plans say what was measured."""
 
 import contextlib
+import errno
 import os
 import shutil
 import unittest
@@ -185,6 +186,39 @@ class RemovalTest(TilesTest):
                 self.assertEqual(self.leaves(), 0)
                 shutil.rmtree(self.at("a.part"))
         self.assertEqual(plans[0].disk, plans[1].disk)
+
+
+class WritingTest(TilesTest):
+    """The disk refuses a file, or a folder its name."""
+
+    @needs_raster
+    def test_each_that_cannot_be_written(self):
+        """The run ends and names it; what was done before is kept."""
+        words = [self.saved(POINTS), "--tin", self.at("a.pvtp"), "--raster", self.at("a.tif"), "--cell", "2",
+                 "--leaf", "200", "--piece", "300", "--threads", "1"]  # fmt: skip
+        replace, made = os.replace, []
+        with unittest.mock.patch.object(os, "replace", lambda *paths: (made.append(paths[1]), replace(*paths))):
+            self.assertEqual(self.command(*words)[0], 0)
+        want = bytes_of(self.at("a.pvtp")), bytes_of(self.at("a.tif"))
+        made = list(dict.fromkeys(made))
+        self.assertGreater(len(made), 15)
+        for path in made:
+            shutil.rmtree(self.at("a"))
+            os.remove(self.at("a.pvtp"))
+            os.remove(self.at("a.tif"))
+            with unittest.mock.patch.object(os, "replace", lambda *paths: refused(replace, path, paths)):
+                code, said = self.command(*words)
+            with self.subTest(path=os.path.relpath(path, self.folder)):
+                self.assertEqual((code, path in said, "cannot be written" in said), (6, True, True), said)
+                self.assertEqual(self.command(*words, "--resume")[0], 0)
+                self.assertEqual((bytes_of(self.at("a.pvtp")), bytes_of(self.at("a.tif"))), want)
+
+
+def refused(replace, path, paths):
+    """os.replace() of two paths, but to this one."""
+    if paths[1] == path:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+    replace(*paths)
 
 
 class PlanTest(unittest.TestCase):
