@@ -331,6 +331,37 @@ print(right, os.waitpid(children[0], 0)[1])
 """
 
 
+FORKED_BY_A_CHILD = """
+import os, signal, threading
+import numpy as np
+from adaptivehilbertdelaunay import _made, delaunay
+points = np.random.default_rng(1).random((2000, 2))
+made, other, count = delaunay(points), delaunay(points), len(delaunay(points).triangles)
+begun, forked, leave = threading.Event(), threading.Event(), _made.Made._leave_to_the_parent
+def slow(self):
+    begun.set()
+    forked.wait()
+    leave(self)
+child = os.fork()
+if child == 0:
+    signal.alarm(60)
+    _made.Made._leave_to_the_parent = slow
+    thread = threading.Thread(target=lambda: made.neighbors)
+    thread.start()
+    begun.wait()
+    grandchild = os.fork()
+    if grandchild == 0:
+        signal.alarm(30)
+        _made.Made._leave_to_the_parent = leave
+        os._exit(0 if len(made.neighbors) == len(other.neighbors) == count else 1)
+    code = os.waitpid(grandchild, 0)[1]
+    forked.set()
+    thread.join()
+    os._exit(0 if code == 0 and len(made.neighbors) == count else 1)
+print(os.waitpid(child, 0)[1], len(made.neighbors) == count)
+"""
+
+
 class EndTest(unittest.TestCase):
     def test_daemon_threads_at_work(self):
         """A callback that came after the interpreter's end ended the process with an error."""
@@ -348,6 +379,13 @@ class EndTest(unittest.TestCase):
     def test_a_child_of_a_callback(self):
         done = run(FORKED_IN_A_CALLBACK)
         self.assertEqual((done.stdout, done.stderr), ("True 0\n", ""))
+
+
+    @unittest.skipUnless(hasattr(os, "fork"), "POSIX only")
+    @unittest.skipIf("AHD_TEST_EMULATED" in os.environ, "qemu-user 7.2 ends in children of processes with threads")
+    def test_a_child_forks_while_a_thread_finds_out_that_it_is_one(self):
+        done = run(FORKED_BY_A_CHILD)
+        self.assertEqual((done.stdout, done.stderr), ("0 True\n", ""))
 
 
 class NumPyTest(unittest.TestCase):
