@@ -18,9 +18,10 @@ from tilesupport import (
     triangles_of,
 )  # fmt: skip
 
+from adaptivehilbertdelaunay._interface import Cancelled
 from adaptivehilbertdelaunay.tiles import _leaves, _visits, _work
 
-COUNT = 1500
+COUNT, MANY = 1500, 10**5
 
 
 class TriangleTest(TilesTest):
@@ -302,6 +303,28 @@ class ThreadsTest(unittest.TestCase):
                 for one in made:
                     found.append(one)
             self.assertEqual(found, list(range(7)))
+
+    def test_what_is_raised_ends_what_others_do(self):
+        """In the middle of it."""
+        bounds = np.array([(0.0, 100.0), (0.0, 60.0)])
+
+        def work(leaves, item):
+            if item == 0:
+                begun.wait()
+                raise LookupError(item)
+            begun.set()
+            try:
+                for _ in range(MANY):
+                    leaves.triangulate(self.POINTS, bounds)
+            except Cancelled:
+                ended.append(item)
+
+        for way in (lambda workers: workers.run(range(2), work, lambda task: ()),
+                    lambda workers: list(workers.in_order(range(2), work))):  # fmt: skip
+            begun, ended = threading.Event(), []
+            with self.assertRaisesRegex(LookupError, "0"):
+                way(self.workers(2))
+            self.assertEqual(ended, [1])
 
     def test_ctrl_c_while_a_thread_begins(self):
         """It ends; the program would wait for it for ever."""
