@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ctrl-C during VTK's requests for data, in the class in Python."""
+"""Ctrl-C during VTK's requests for data, and memory that runs out then, in the class in Python."""
 
+import contextlib
 import ctypes
 import importlib
 import os
@@ -186,31 +187,35 @@ class InterruptsTest(Case):
         self.assertGreater(triangulation.GetOutput().GetNumberOfCells(), 900)
 
     def test_after_each_of_the_last_steps(self):
-        """When outputs have been written, in part or all."""
+        """When outputs have been written, in part or all. The same where memory runs out, which is said."""
         surface = self.make(Filter)
         surface.Update()
         for kind, steps in STEPS.items():
             for module, owner, method in steps:
-                with self.subTest(kind=kind, method=method):
+                for error in (KeyboardInterrupt,) + (MemoryError,) * (method != "_execute"):  # which catches that
                     algorithm = kind() if kind is Source else self.make(kind)
                     if kind is Outline:
                         algorithm.SetInputDataObject(surface.GetOutput())
-                    self.assertIsEmptyAfter(algorithm, getattr(part(module), owner), method)
+                    with self.subTest(kind=kind, method=method, error=error):
+                        self.assertIsEmptyAfter(algorithm, getattr(part(module), owner), method, error)
 
-    def assertIsEmptyAfter(self, algorithm, owner, method):
-        known = getattr(owner, method)
+    def assertIsEmptyAfter(self, algorithm, owner, method, error):
+        known, said = getattr(owner, method), Said(algorithm)
 
         def step(*given):
             known(*given)
-            raise KeyboardInterrupt
+            raise error
 
         with unittest.mock.patch.object(owner, method, step):
-            with self.assertRaises(KeyboardInterrupt):
+            with self.assertRaises(error) if error is KeyboardInterrupt else contextlib.nullcontext():
                 algorithm.Update()
+        self.assertEqual(["emory" in text for text in said.errors], [] if error is KeyboardInterrupt else [True])
         outputs = [algorithm.GetOutputDataObject(port) for port in range(algorithm.GetNumberOfOutputPorts())]
         for output in outputs:
             data = output.GetPointData(), output.GetCellData(), output.GetFieldData()
             self.assertEqual((output.GetNumberOfPoints(), [part.GetNumberOfArrays() for part in data]), (0, [0, 0, 0]))
+        if error is MemoryError:
+            algorithm.Modified()  # else VTK takes the empty outputs for good
         algorithm.Update()
         self.assertGreater(outputs[0].GetNumberOfPoints(), 0)
 
