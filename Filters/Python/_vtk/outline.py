@@ -167,9 +167,6 @@ class _Outlining:
         except MemoryError:
             output.Initialize()
             speaker.error("Out of memory. The output is empty.")
-        except BaseException:  # Ctrl-C, mostly
-            output.Initialize()
-            raise
         finally:
             self._watched = None
         return 1

@@ -42,9 +42,6 @@ class _Making:
         except MemoryError:
             output.Initialize()
             say(refusal(reason=engine.OUT_OF_MEMORY, doing="making", points=count))
-        except BaseException:  # Ctrl-C, mostly
-            output.Initialize()
-            raise
         return 1
 
     def _make(self, output, count, single):

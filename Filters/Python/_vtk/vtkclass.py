@@ -45,8 +45,15 @@ class Names:
 
     @ends_by_ctrl_c
     def ProcessRequest(self, request, inputs, outputs):
-        """Called by the pipeline: 1 if the request was met."""
-        return super().ProcessRequest(request, inputs, outputs)
+        """Called by the pipeline: 1 if the request was met. What is raised while data are made, by Ctrl-C mostly,
+        leaves nothing of them."""
+        try:
+            return super().ProcessRequest(request, inputs, outputs)
+        except BaseException:
+            if request.Has(self._backend.vtkDemandDrivenPipeline.REQUEST_DATA()):
+                for port in range(self.GetNumberOfOutputPorts()):
+                    self._backend.vtkDataObject.GetData(outputs, port).Initialize()
+            raise
 
     def __str__(self):
         header, _, rest = super().__str__().partition("\n")
