@@ -215,20 +215,7 @@ def try_names(wishes, words):
 
 def try_few_cells():
     """A raster that is known late, with fewer cells than there are ranks: some have none."""
-
-    def on_ranks():
-        sampler = RanksSample.raster_of(1)
-        sampler.SetRasterSize(1)
-        sampler.SetCellSize(1, 1)
-        source = RanksSample.Growing()
-        sampler.SetInputConnection(source.GetOutputPort())
-        found = []
-        for time in (1.0, 0.0):
-            sampler.UpdateTimeStep(time, RANK, RANKS, 0)
-            found.append((sampler.GetNumberOfPlaces(), sampler.GetOutput().GetNumberOfPoints()))
-        return found
-
-    found = on_all_ranks("few cells", on_ranks)
+    found = on_all_ranks("few cells", lambda: RanksSample.counts_at_times(1, (1.0, 0.0)))
     for k, count in enumerate((4, 1)) if found else ():
         check([part[k][0] for part in found] == [count] * RANKS, "places: %r" % found)
         check(sum(part[k][1] for part in found) >= count, "points: %r" % found)
