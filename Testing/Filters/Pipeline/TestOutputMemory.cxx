@@ -256,6 +256,26 @@ TEST(OutputMemory, WhatIsInUseIsLeftAlone)
   EXPECT_EQ(neighborsOf(copy), expected);
 }
 
+namespace
+{
+/// One execution with working memory of its own, which it may lend.
+struct Executed
+{
+  Executed(const vtkAHDSettings& settings, vtkPointSet* cloud, const Work& work)
+    : Input(settings, cloud, nullptr)
+    , Report(vtkAHDExecution(settings, this->Input, this->Workspace, work.Context, 0)
+               .Run({ this->Surface, this->Order, this->Diagram }, &this->Lent))
+  {
+  }
+
+  vtkAHDInput Input;
+  ahd::Workspace Workspace;
+  vtkNew<vtkPolyData> Surface, Order, Diagram;
+  vtkAHDExecution::LentPointer Lent;
+  vtkAHDReport Report;
+};
+}
+
 /// To the last whole KiB, which is what the limit counts in.
 TEST(WorkingMemory, NoMoreIsKeptThanTheLimit)
 {
@@ -308,16 +328,11 @@ TEST(WorkingMemory, IsKeptWhereNothingIsLent)
     vtkAHDSettings settings;
     settings.ReuseLimit = VTK_INT_MAX;
     settings.showsMeans = variant / 2 == 1;
-    vtkAHDInput input(settings, cloud, nullptr);
-    ahd::Workspace workspace;
-    vtkNew<vtkPolyData> surface, order, diagram;
-    vtkAHDExecution::LentPointer lent;
-    const auto report = vtkAHDExecution(settings, input, workspace, work.Context, 0)
-                          .Run({ surface, order, diagram }, &lent);
-    EXPECT_EQ(report.status, ahd::Status::Ok);
-    EXPECT_EQ(surface->GetPoints()->GetPoint(0)[2], settings.showsMeans ? 2.0 : 0.0);
-    EXPECT_EQ(lent != nullptr, !writes);
-    EXPECT_EQ(workspace.bytes() > 0, writes);
+    const Executed made(settings, cloud, work);
+    EXPECT_EQ(made.Report.status, ahd::Status::Ok);
+    EXPECT_EQ(made.Surface->GetPoints()->GetPoint(0)[2], settings.showsMeans ? 2.0 : 0.0);
+    EXPECT_EQ(made.Lent != nullptr, !writes);
+    EXPECT_EQ(made.Workspace.bytes() > 0, writes);
   }
 }
 
@@ -328,15 +343,10 @@ TEST(WorkingMemory, IsKeptWhereNothingMayBeLent)
   {
     auto cloud = makeCloud(latticePoints(5000, 1000000), type);
     const Work work(1);
-    vtkAHDInput input(settings, cloud, nullptr);
-    ahd::Workspace workspace;
-    vtkNew<vtkPolyData> surface, order, diagram;
-    vtkAHDExecution::LentPointer lent;
-    const auto report = vtkAHDExecution(settings, input, workspace, work.Context, 0)
-                          .Run({ surface, order, diagram }, &lent);
-    EXPECT_EQ(report.status, ahd::Status::Ok);
-    EXPECT_EQ(workspace.bytes() > 0, lent == nullptr);
-    return std::pair<std::size_t, std::size_t>(workspace.bytes(), report.keptEstimate);
+    const Executed made(settings, cloud, work);
+    EXPECT_EQ(made.Report.status, ahd::Status::Ok);
+    EXPECT_EQ(made.Workspace.bytes() > 0, made.Lent == nullptr);
+    return std::pair<std::size_t, std::size_t>(made.Workspace.bytes(), made.Report.keptEstimate);
   };
   vtkAHDSettings plain, projected, copied;
   plain.ReuseLimit = projected.ReuseLimit = copied.ReuseLimit = VTK_INT_MAX;
@@ -390,21 +400,16 @@ TEST(WorkingMemory, IsKeptWhereThereIsNoMemoryToLend)
     const Work work(1);
     vtkAHDSettings settings;
     settings.ReuseLimit = VTK_INT_MAX;
-    vtkAHDInput input(settings, cloud, nullptr);
-    ahd::Workspace workspace;
-    vtkNew<vtkPolyData> surface, order, diagram;
-    vtkAHDExecution::LentPointer lent;
     numbers->Asked = 0;
     numbers->FailAt = k;
-    const auto report = vtkAHDExecution(settings, input, workspace, work.Context, 0)
-                          .Run({ surface, order, diagram }, &lent);
+    const Executed made(settings, cloud, work);
     numbers->FailAt = 0;
     all = k == 0 ? numbers->Asked : all;
-    const bool isOk = report.status == ahd::Status::Ok;
-    EXPECT_TRUE(isOk || (k > 0 && report.status == ahd::Status::OutOfMemory));
-    EXPECT_EQ(surface->GetNumberOfPolys() > 0, isOk);
-    EXPECT_EQ(workspace.bytes() > 0, isOk && lent == nullptr);
-    notLent += isOk && lent == nullptr ? 1 : 0;
+    const bool isOk = made.Report.status == ahd::Status::Ok;
+    EXPECT_TRUE(isOk || (k > 0 && made.Report.status == ahd::Status::OutOfMemory));
+    EXPECT_EQ(made.Surface->GetNumberOfPolys() > 0, isOk);
+    EXPECT_EQ(made.Workspace.bytes() > 0, isOk && made.Lent == nullptr);
+    notLent += isOk && made.Lent == nullptr ? 1 : 0;
   }
   EXPECT_GT(notLent, 0);
 }
